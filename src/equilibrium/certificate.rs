@@ -1,0 +1,510 @@
+//! The certificate: eq. 5's optimality recomputed in the paper's coordinates.
+//!
+//! Everything is recomputed from node positions and contact multipliers alone,
+//! in the 4n coordinates (x_0^i, x_a^i) of the paper, by code that shares
+//! nothing with the solver but the obstacles' clearances: the energy from the
+//! angles between disks, the links' multipliers by a recursion of forces from
+//! tip to base, the second-order condition on the links' null space.
+//!
+//! With J = Σ β_i² and the constraints h = 0 (links) and g ⪰ 0 (obstacles),
+//!
+//! ```text
+//! ∇J − Σ λ_r ∇g_r − Σ μ_j ∇h_j = 0    g_r ≥ 0    λ_r ≥ 0    λ_r g_r = 0
+//! dᵀ ∇²(J − λg − μh) d > 0   for every d ≠ 0 along the links and pressing contacts
+//! ```
+//!
+//! At each node the balance has four components and three unknown link
+//! multipliers: backbone, cable and disk. What the three cannot balance lies
+//! along the node's one free direction N and is the stationarity residual.
+
+use super::solution::Contact;
+use crate::geometry::{Vector, cross, perpendicular};
+use crate::model::{Element, Problem};
+use nalgebra::{SMatrix, SVector};
+
+/// Coordinates of a node: the backbone point's and the cable point's.
+type Pair = SVector<f64, 4>;
+type Block = SMatrix<f64, 4, 4>;
+
+/// Bends below this, in radians, drown in the rounding of coordinates; the
+/// residual is relative to the forces that bends of at least this size make.
+const LEAST_BEND: f64 = 1e-5;
+/// Stiffnesses that hold pressing contacts in the second-order test, relative
+/// to the curvature of the energy: for a reduced Hessian that is positive one
+/// of them suffices; above 1e8 rounding would decide.
+const STIFFNESSES: [f64; 4] = [1.0, 1e2, 1e5, 1e8];
+
+/// How well a shape satisfies the optimality conditions of eq. 5.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Certificate {
+    /// Greatest unbalanced force on a node along its free direction, relative
+    /// to the greatest force of the bends.
+    pub stationarity: f64,
+    /// Greatest error of a link's or disk's length, relative to the backbone's
+    /// length.
+    pub links: f64,
+    /// Greatest depth of a candidate inside an obstacle, relative to the
+    /// backbone's length.
+    pub penetration: f64,
+    /// Greatest |λ g|, relative to the greatest λ times the backbone's length.
+    pub complementarity: f64,
+    /// Greatest negative multiplier, relative to the greatest multiplier.
+    pub dual: f64,
+    /// Whether every segment keeps the assembly of the straight robot.
+    pub orientation: bool,
+    /// Whether the reduced Hessian is positive definite: a strict minimum.
+    pub minimum: bool,
+    /// dJ*/dl, in rad²/m, from the cable links' multipliers: how the least
+    /// energy changes with the pull (envelope theorem).
+    pub energy_slope: f64,
+}
+
+impl Certificate {
+    /// The bound that the residuals of a certified shape stay below. Newton's
+    /// last step leaves about 1e-13; 1e-9 leaves room for n = 10⁴ segments.
+    pub const BOUND: f64 = 1e-9;
+
+    /// The greatest of the residuals.
+    pub fn residual(&self) -> f64 {
+        self.stationarity
+            .max(self.links)
+            .max(self.penetration)
+            .max(self.complementarity)
+            .max(self.dual)
+    }
+
+    /// Whether the shape is an equilibrium that a robot can rest in.
+    pub fn holds(&self) -> bool {
+        self.residual() <= Self::BOUND && self.orientation && self.minimum
+    }
+}
+
+/// Storage and intermediate results of one certificate, kept between calls.
+#[derive(Clone, Debug, Default)]
+pub struct Certifier {
+    backbone: Vec<Vector>,
+    cable: Vec<Vector>,
+    /// ∇(J − λg), then what the links above leave of it.
+    balance: Vec<Pair>,
+    /// Diagonal blocks of the Lagrangian's Hessian, and those between a node
+    /// and the one before.
+    diagonal: Vec<Block>,
+    across: Vec<Block>,
+    /// Each node's free direction.
+    free: Vec<Pair>,
+    /// Motion of each node when the one before moves and its own linkage
+    /// stays rigid.
+    carried: Vec<Block>,
+    pressing: Vec<(usize, Gradient)>,
+}
+
+/// ∇g of a contact in its own node's and the previous node's coordinates.
+#[derive(Clone, Copy, Debug)]
+struct Gradient {
+    after: Pair,
+    before: Pair,
+}
+
+impl Certifier {
+    /// The certificate of the shape with the given backbone and cable points
+    /// (each n + 1, base first) and contacts.
+    pub fn certify(
+        &mut self,
+        problem: &Problem,
+        points: impl Iterator<Item = (Vector, Vector)>,
+        contacts: &[Contact],
+    ) -> Certificate {
+        self.backbone.clear();
+        self.cable.clear();
+        for (backbone, cable) in points {
+            self.backbone.push(backbone);
+            self.cable.push(cable);
+        }
+        let length = problem.length();
+        let mut certificate = Certificate {
+            links: self.link_error(problem) / length,
+            orientation: self.orientation(),
+            penetration: self.penetration(problem) / length,
+            ..Certificate::default()
+        };
+        let most = contacts.iter().map(|c| c.multiplier).fold(0.0, f64::max);
+        for contact in contacts {
+            let share = contact.multiplier / most.max(f64::MIN_POSITIVE);
+            certificate.dual = certificate.dual.max(-share);
+            let gap = share * contact.clearance / length;
+            certificate.complementarity = certificate.complementarity.max(gap.abs());
+        }
+        self.add_energy();
+        self.add_contacts(problem, contacts);
+        let n = problem.robot().segments;
+        let free_bend = problem.segment().free_bend().abs();
+        let force = 2.0 * (free_bend + LEAST_BEND) / problem.robot().offset;
+        let (residual, cable_sum) = self.balance_links();
+        certificate.stationarity = residual / force;
+        // ∂l_a/∂l = −1/n for every cable link.
+        certificate.energy_slope = -cable_sum / n as f64;
+        certificate.minimum = self.is_minimum(problem);
+        certificate
+    }
+
+    fn link_error(&self, problem: &Problem) -> f64 {
+        let segment = problem.segment();
+        let mut worst = 0.0_f64;
+        for i in 1..self.backbone.len() {
+            let backbone = (self.backbone[i] - self.backbone[i - 1]).norm();
+            let cable = (self.cable[i] - self.cable[i - 1]).norm();
+            let disk = (self.cable[i] - self.backbone[i]).norm();
+            worst = worst
+                .max((backbone - segment.backbone()).abs())
+                .max((cable - segment.cable()).abs())
+                .max((disk - segment.offset()).abs());
+        }
+        worst
+    }
+
+    /// Whether both links of every segment point along the robot, to the left
+    /// of the mean disk direction.
+    fn orientation(&self) -> bool {
+        (1..self.backbone.len()).all(|i| {
+            let mean = self.disk(i) + self.disk(i - 1);
+            cross(mean, self.backbone[i] - self.backbone[i - 1]) > 0.0
+                && cross(mean, self.cable[i] - self.cable[i - 1]) > 0.0
+        })
+    }
+
+    /// The greatest depth of a candidate inside an obstacle, at least 0.
+    fn penetration(&self, problem: &Problem) -> f64 {
+        let offset = problem.robot().offset;
+        let point = |i: usize, lever: f64| self.backbone[i] + lever / offset * self.disk(i);
+        let mut deepest = 0.0_f64;
+        for candidate in problem.candidates() {
+            let i = candidate.node;
+            let (start, end) = match candidate.element {
+                Element::Point { lever } => (point(i, lever), None),
+                Element::Link { lever } => (point(i - 1, lever), Some(point(i, lever))),
+                Element::Across { lever } => (point(i, -lever), Some(point(i, lever))),
+            };
+            for obstacle in problem.obstacles() {
+                match end {
+                    None => {
+                        if obstacle.distance_bound(start) <= candidate.radius {
+                            let distance = obstacle.clearance(start).distance;
+                            deepest = deepest.max(candidate.radius - distance);
+                        }
+                    }
+                    Some(end) => obstacle.edge_clearances(start, end, |clearance| {
+                        deepest = deepest.max(candidate.radius - clearance.distance);
+                    }),
+                }
+            }
+        }
+        deepest
+    }
+
+    fn disk(&self, i: usize) -> Vector {
+        self.cable[i] - self.backbone[i]
+    }
+
+    /// β_i, clockwise from disk i − 1 to disk i.
+    fn bend(&self, i: usize) -> f64 {
+        let (below, above) = (self.disk(i - 1), self.disk(i));
+        cross(above, below).atan2(above.dot(&below))
+    }
+
+    /// Adds Σ β² to the balance and to the Hessian's blocks.
+    fn add_energy(&mut self) {
+        let nodes = self.backbone.len();
+        for blocks in [&mut self.diagonal, &mut self.across] {
+            blocks.clear();
+            blocks.resize(nodes, Block::zeros());
+        }
+        self.balance.clear();
+        self.balance.resize(nodes, Pair::zeros());
+        for i in 1..nodes {
+            let bend = self.bend(i);
+            // The angle of w turns by perp(w)/|w|²; β_i is the angle of disk
+            // i − 1 less that of disk i.
+            let (below, above) = (self.disk(i - 1), self.disk(i));
+            let turn = |w: Vector| perpendicular(w) / w.norm_squared();
+            let turn_curvature = |w: Vector| {
+                let p = perpendicular(w);
+                -(p * w.transpose() + w * p.transpose()) / w.norm_squared().powi(2)
+            };
+            let before = on_disk(turn(below));
+            let after = on_disk(-turn(above));
+            self.balance[i - 1] += 2.0 * bend * before;
+            self.balance[i] += 2.0 * bend * after;
+            self.diagonal[i - 1] += 2.0 * before * before.transpose()
+                + 2.0 * bend * between_disk(turn_curvature(below));
+            self.diagonal[i] += 2.0 * after * after.transpose()
+                - 2.0 * bend * between_disk(turn_curvature(above));
+            self.across[i] += 2.0 * before * after.transpose();
+        }
+    }
+
+    /// Subtracts Σ λ g.
+    fn add_contacts(&mut self, problem: &Problem, contacts: &[Contact]) {
+        self.pressing.clear();
+        let offset = problem.robot().offset;
+        for contact in contacts {
+            let candidate = &problem.candidates()[contact.candidate];
+            let i = contact.node;
+            // A point at lever o of a disk is x_0 + (o/a)(x_a − x_0).
+            let at = |force: Vector, lever: f64| {
+                let share = lever / offset;
+                pair((1.0 - share) * force, share * force)
+            };
+            let normal = contact.normal;
+            let along = contact.along;
+            let (gradient, ends) = match candidate.element {
+                Element::Point { lever } => (
+                    Gradient {
+                        after: at(normal, lever),
+                        before: Pair::zeros(),
+                    },
+                    None,
+                ),
+                Element::Link { lever } => (
+                    Gradient {
+                        after: at(along * normal, lever),
+                        before: at((1.0 - along) * normal, lever),
+                    },
+                    Some(((i - 1, lever), (i, lever))),
+                ),
+                Element::Across { lever } => (
+                    Gradient {
+                        after: at(along * normal, lever) + at((1.0 - along) * normal, -lever),
+                        before: Pair::zeros(),
+                    },
+                    Some(((i, -lever), (i, lever))),
+                ),
+            };
+            self.balance[i] -= contact.multiplier * gradient.after;
+            self.balance[i - 1] -= contact.multiplier * gradient.before;
+            if contact.multiplier > 0.0 {
+                self.pressing.push((i, gradient));
+                match ends {
+                    None => self.bend_of_point(problem, contact, offset),
+                    Some(ends) => self.bend_of_edge(problem, contact, ends, offset),
+                }
+            }
+        }
+    }
+
+    /// Subtracts λ∇²g of a point: the obstacle's curvature along its surface.
+    fn bend_of_point(&mut self, problem: &Problem, contact: &Contact, offset: f64) {
+        let candidate = &problem.candidates()[contact.candidate];
+        let Element::Point { lever } = candidate.element else {
+            return;
+        };
+        let i = contact.node;
+        let share = lever / offset;
+        let point = (1.0 - share) * self.backbone[i] + share * self.cable[i];
+        let clearance = problem.obstacles()[contact.obstacle].clearance(point);
+        let tangent = perpendicular(clearance.normal);
+        let along = pair((1.0 - share) * tangent, share * tangent);
+        self.diagonal[i] -= contact.multiplier * clearance.curvature * along * along.transpose();
+    }
+
+    /// Subtracts λ∇²g of an edge on a vertex, by polarising its quadratic form
+    /// in the eight coordinates of the two ends' nodes.
+    fn bend_of_edge(
+        &mut self,
+        problem: &Problem,
+        contact: &Contact,
+        ((first, first_lever), (last, last_lever)): ((usize, f64), (usize, f64)),
+        offset: f64,
+    ) {
+        let point = |i: usize, lever: f64| self.backbone[i] + lever / offset * self.disk(i);
+        let (start, end) = (point(first, first_lever), point(last, last_lever));
+        let obstacle = &problem.obstacles()[contact.obstacle];
+        let mut found = None;
+        obstacle.edge_clearances(start, end, |clearance| {
+            if Some(clearance.vertex) == contact.vertex {
+                found = Some(clearance);
+            }
+        });
+        let Some(clearance) = found else { return };
+        let moved = |lever: f64, d: Pair| {
+            let share = lever / offset;
+            (1.0 - share) * Vector::new(d[0], d[1]) + share * Vector::new(d[2], d[3])
+        };
+        // Displacement of (start, end) by unit coordinate j: the first four of
+        // the start's node, the last four of the end's.
+        let ends = |j: usize| {
+            let unit = |k: usize| Pair::from_fn(|row, _| f64::from(u8::from(row == k)));
+            if j < 4 {
+                let start = moved(first_lever, unit(j));
+                let end = if first == last {
+                    moved(last_lever, unit(j))
+                } else {
+                    Vector::zeros()
+                };
+                (start, end)
+            } else {
+                (Vector::zeros(), moved(last_lever, unit(j - 4)))
+            }
+        };
+        let form = |a: (Vector, Vector)| {
+            clearance.second_derivative(end - start, obstacle.radius(), a.0, a.1)
+        };
+        let mixed = |i: usize, j: usize| {
+            let (a, b) = (ends(i), ends(j));
+            0.5 * (form((a.0 + b.0, a.1 + b.1)) - form(a) - form(b))
+        };
+        let multiplier = contact.multiplier;
+        self.diagonal[first] -= multiplier * Block::from_fn(mixed);
+        if first != last {
+            self.diagonal[last] -= multiplier * Block::from_fn(|i, j| mixed(i + 4, j + 4));
+            self.across[last] -= multiplier * Block::from_fn(|i, j| mixed(i, j + 4));
+        }
+    }
+
+    /// Finds the links' multipliers from tip to base, subtracts their
+    /// curvature from the Hessian, and returns the greatest force left along a
+    /// free direction and the sum of the cable links' multipliers.
+    fn balance_links(&mut self) -> (f64, f64) {
+        let nodes = self.backbone.len();
+        self.free.clear();
+        self.free.resize(nodes, Pair::zeros());
+        self.carried.clear();
+        self.carried.resize(nodes, Block::zeros());
+        let (mut worst, mut cable_sum) = (0.0_f64, 0.0);
+        for i in (1..nodes).rev() {
+            let unit = |v: Vector| (v.normalize(), v.norm());
+            let (b, b_length) = unit(self.backbone[i] - self.backbone[i - 1]);
+            let (k, k_length) = unit(self.cable[i] - self.cable[i - 1]);
+            let (w, w_length) = unit(self.disk(i));
+            let (across_b, across_k) = (perpendicular(b), perpendicular(k));
+            // N moves both ends across their links and keeps the disk's length.
+            let (alpha, gamma) = (w.dot(&across_k), w.dot(&across_b));
+            let size = alpha.hypot(gamma);
+            let free = pair(alpha / size * across_b, gamma / size * across_k);
+            worst = worst.max(self.balance[i].dot(&free).abs());
+            let left = self.balance[i];
+            let on_backbone = Vector::new(left[0], left[1]);
+            let on_cable = Vector::new(left[2], left[3]);
+            let disk = (on_cable.dot(&across_k) * alpha - on_backbone.dot(&across_b) * gamma)
+                / (size * size);
+            let backbone = b.dot(&(on_backbone + disk * w));
+            let cable = k.dot(&(on_cable - disk * w));
+            // ∂|x^i − x^{i−1}|/∂x^{i−1} = −b: what the links pass on.
+            self.balance[i - 1] += pair(backbone * b, cable * k);
+            cable_sum += cable;
+            self.free[i] = free;
+            self.carried[i] = self.rigid(i);
+            let beside = |unit: Vector, length: f64| {
+                (SMatrix::<f64, 2, 2>::identity() - unit * unit.transpose()) / length
+            };
+            let links = split(
+                backbone * beside(b, b_length),
+                cable * beside(k, k_length),
+            );
+            self.diagonal[i] -= links + between_disk(disk * beside(w, w_length));
+            self.diagonal[i - 1] -= links;
+            self.across[i] += links;
+        }
+        (worst, cable_sum)
+    }
+
+    /// How node i moves when disk i − 1 moves and carries it rigidly.
+    fn rigid(&self, i: usize) -> Block {
+        let below = self.disk(i - 1);
+        // The disk turns by perp(w)·(δx_a − δx_0)/|w|².
+        let turn = on_disk(perpendicular(below) / below.norm_squared());
+        let mut motion = Block::zeros();
+        for (row, point) in [(0, self.backbone[i]), (2, self.cable[i])] {
+            let swing = perpendicular(point - self.backbone[i - 1]);
+            for axis in 0..2 {
+                motion[(row + axis, axis)] = 1.0;
+                for column in 0..4 {
+                    motion[(row + axis, column)] += swing[axis] * turn[column];
+                }
+            }
+        }
+        motion
+    }
+
+    /// Whether the Hessian is positive definite along the links and pressing
+    /// contacts.
+    fn is_minimum(&mut self, problem: &Problem) -> bool {
+        let curvature = 2.0 / problem.robot().offset.powi(2);
+        let mut stiffness = 0.0;
+        if self.pivots_positive() {
+            return true;
+        }
+        if self.pressing.is_empty() {
+            return false;
+        }
+        for relative in STIFFNESSES {
+            let more = relative * curvature - stiffness;
+            stiffness += more;
+            for (i, gradient) in &self.pressing {
+                self.diagonal[*i] += more * gradient.after * gradient.after.transpose();
+                self.diagonal[i - 1] += more * gradient.before * gradient.before.transpose();
+                self.across[*i] += more * gradient.before * gradient.after.transpose();
+            }
+            if self.pivots_positive() {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The block LDLᵀ of the Hessian in the free coordinates ξ, where node i
+    /// moves by `carried`·(motion of node i − 1) + `free` ξ_i, tip to base.
+    fn pivots_positive(&self) -> bool {
+        let nodes = self.backbone.len();
+        let mut value = self.diagonal[nodes - 1];
+        for i in (1..nodes).rev() {
+            let (carried, free) = (&self.carried[i], &self.free[i]);
+            let across = self.across[i];
+            let pushed = value * free;
+            let pivot = free.dot(&pushed);
+            let least = 1e-13 * value.amax();
+            if pivot.is_nan() || pivot <= least {
+                return false;
+            }
+            let coupling = carried.tr_mul(&pushed) + across * free;
+            let linked = across * carried;
+            value = self.diagonal[i - 1] + carried.tr_mul(&(value * carried)) + linked
+                + linked.transpose()
+                - coupling * coupling.transpose() / pivot;
+        }
+        true
+    }
+}
+
+/// Coordinates of a node from those of its two points.
+fn pair(backbone: Vector, cable: Vector) -> Pair {
+    Pair::new(backbone.x, backbone.y, cable.x, cable.y)
+}
+
+/// A gradient with respect to w = x_a − x_0 in the node's coordinates.
+fn on_disk(gradient: Vector) -> Pair {
+    pair(-gradient, gradient)
+}
+
+/// A second derivative with respect to w in the node's coordinates.
+fn between_disk(curvature: SMatrix<f64, 2, 2>) -> Block {
+    let mut block = split(curvature, curvature);
+    for row in 0..2 {
+        for column in 0..2 {
+            block[(row, column + 2)] = -curvature[(row, column)];
+            block[(row + 2, column)] = -curvature[(row, column)];
+        }
+    }
+    block
+}
+
+/// Separate second derivatives of the backbone and the cable point.
+fn split(backbone: SMatrix<f64, 2, 2>, cable: SMatrix<f64, 2, 2>) -> Block {
+    let mut block = Block::zeros();
+    for row in 0..2 {
+        for column in 0..2 {
+            block[(row, column)] = backbone[(row, column)];
+            block[(row + 2, column + 2)] = cable[(row, column)];
+        }
+    }
+    block
+}

@@ -1,0 +1,75 @@
+//! What happened along a run, in order: contacts, jumps, ends.
+
+use super::status::EndReason;
+use crate::geometry::Vector;
+use crate::model::Line;
+
+/// Something that happened on the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Event {
+    /// The pull at which it happened, in metres.
+    pub pull: f64,
+    /// What.
+    pub what: Occurrence,
+}
+
+/// What may happen on the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Occurrence {
+    /// An obstacle over the robot was grown from nothing and pushed it aside.
+    PushedAside {
+        /// The obstacle's index.
+        obstacle: usize,
+        /// Unit direction the robot is pushed in.
+        direction: Vector,
+    },
+    /// A part of the robot began to press on an obstacle.
+    ContactMade {
+        /// The line of the robot.
+        line: Line,
+        /// The node, from 1.
+        node: usize,
+        /// The obstacle's index.
+        obstacle: usize,
+    },
+    /// A part of the robot stopped pressing on an obstacle.
+    ContactLost {
+        /// The line of the robot.
+        line: Line,
+        /// The node, from 1.
+        node: usize,
+        /// The obstacle's index.
+        obstacle: usize,
+    },
+    /// The branch ended and the robot went over to another equilibrium.
+    Jump {
+        /// The node that moved farthest, from 1.
+        node: usize,
+        /// How far it moved, in metres.
+        distance: f64,
+    },
+    /// The branch ended and no other equilibrium was reached.
+    BranchEnded {
+        /// Why.
+        reason: EndReason,
+        /// The segment, from 1, whose linkage turned most there.
+        segment: usize,
+    },
+    /// The earlier shape that was to start from is no equilibrium of its own
+    /// problem; the run started from the straight robot instead.
+    StartRefused,
+}
+
+impl Occurrence {
+    /// The occurrence in one word, as in JSON output.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Occurrence::PushedAside { .. } => "pushed_aside",
+            Occurrence::ContactMade { .. } => "contact_made",
+            Occurrence::ContactLost { .. } => "contact_lost",
+            Occurrence::Jump { .. } => "jump",
+            Occurrence::BranchEnded { .. } => "branch_ended",
+            Occurrence::StartRefused => "start_refused",
+        }
+    }
+}

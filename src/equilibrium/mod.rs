@@ -1,0 +1,27 @@
+//! From a problem to certified equilibria: the façade of the library.
+//!
+//! ```
+//! use sinew::equilibrium::{Settings, Start, solve};
+//! use sinew::model::Problem;
+//! use sinew::scene::Scene;
+//!
+//! let scene = Scene::from_toml(include_str!("../../assets/scenes/two-discs.toml"))?;
+//! let solution = solve(&Problem::new(&scene)?, Start::Straight, Settings::default());
+//! assert!(solution.certificate.holds());
+//! let nodes: Vec<usize> = solution.contacts.iter().map(|contact| contact.node).collect();
+//! assert_eq!(nodes, [10, 16]);
+//! # Ok::<(), sinew::scene::SceneError>(())
+//! ```
+
+mod approach;
+mod certificate;
+mod event;
+mod run;
+mod solution;
+mod status;
+
+pub use certificate::{Certificate, Certifier};
+pub use event::{Event, Occurrence};
+pub use run::{Progress, Run, Settings, Start, solve};
+pub use solution::{Class, Clearance, Contact, Solution};
+pub use status::{Conflict, EndReason, Status};

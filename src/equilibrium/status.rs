@@ -1,0 +1,103 @@
+//! How a run ended. Data, never an error: every run ends in one of these.
+
+use crate::model::Line;
+
+/// The outcome of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Status {
+    /// The goal is reached and its shape is a certified equilibrium.
+    Converged,
+    /// The run is not over, or was given up by its owner.
+    Unfinished,
+    /// No shape of the linkage near the last good one avoids the obstacles.
+    Infeasible {
+        /// The contacts that cannot all be met.
+        conflicts: Vec<Conflict>,
+    },
+    /// The branch of equilibria does not lead to the goal. The solution is the
+    /// last equilibrium on it.
+    BranchEnded {
+        /// Why it ends.
+        reason: EndReason,
+        /// The segment, from 1, whose linkage turned most there.
+        segment: usize,
+    },
+    /// The allowed iterations are used up.
+    IterationLimit,
+    /// Rounding keeps the solve from its tolerances.
+    NumericalFailure,
+}
+
+/// Why a branch of equilibria ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EndReason {
+    /// A segment's linkage is at the limit of its assembly and locks.
+    LinkageLimit,
+    /// The equilibrium stops being a minimum and no other is reached from it:
+    /// the robot slips away.
+    Fold,
+    /// Every way on leads through an obstacle.
+    Blocked,
+}
+
+/// A contact that takes part in a conflict.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Conflict {
+    /// The line of the robot.
+    pub line: Line,
+    /// The node, from 1.
+    pub node: usize,
+    /// The obstacle's index.
+    pub obstacle: usize,
+}
+
+impl Status {
+    /// The status in one word, as in JSON output.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Status::Converged => "converged",
+            Status::Unfinished => "unfinished",
+            Status::Infeasible { .. } => "infeasible",
+            Status::BranchEnded { .. } => "branch_ended",
+            Status::IterationLimit => "iteration_limit",
+            Status::NumericalFailure => "numerical_failure",
+        }
+    }
+
+    /// One sentence on what happened. Names nodes and obstacles by index.
+    pub fn reason(&self) -> String {
+        match self {
+            Status::Converged => "the shape is a certified equilibrium".to_owned(),
+            Status::Unfinished => "the solve was stopped before its end".to_owned(),
+            Status::Infeasible { conflicts } => {
+                let list: Vec<String> = conflicts
+                    .iter()
+                    .map(|c| format!("{} node {} on obstacle {}", c.line.name(), c.node, c.obstacle))
+                    .collect();
+                if list.is_empty() {
+                    "the linkage's own limits conflict with each other".to_owned()
+                } else {
+                    format!(
+                        "no shape near the last good one keeps clear of the obstacles; in \
+                         conflict: {}",
+                        list.join(", ")
+                    )
+                }
+            }
+            Status::BranchEnded { reason, segment } => {
+                let why = match reason {
+                    EndReason::LinkageLimit => "its linkage is at the limit of its assembly",
+                    EndReason::Fold => "the equilibrium folds back and the robot slips away",
+                    EndReason::Blocked => "every way on leads through an obstacle",
+                };
+                format!("the branch ends at segment {segment}: {why}")
+            }
+            Status::IterationLimit => {
+                "the allowed iterations were used up before the goal was reached".to_owned()
+            }
+            Status::NumericalFailure => {
+                "rounding keeps the solve from its tolerances at this size".to_owned()
+            }
+        }
+    }
+}

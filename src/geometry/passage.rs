@@ -1,0 +1,136 @@
+//! Whether a motion leads through an obstacle. It judges motions between two
+//! instants; it moves nothing.
+//!
+//! Both the robot's points and the obstacle may move. Everything is taken
+//! relative to the obstacle's own frame, in which it rests.
+
+use super::clearance::sweeps_over;
+use super::obstacle::{Core, Obstacle};
+use super::{Vector, to_parry};
+use parry2d_f64::math::Pose;
+use parry2d_f64::query;
+use parry2d_f64::shape::{Ball, ConvexPolygon, Segment};
+
+/// One of the robot's points at two instants.
+pub type Motion = (Vector, Vector);
+
+impl Obstacle {
+    /// Whether a point, `radius` thick, that goes straight from one place to
+    /// another, while this obstacle becomes `later`, passes through it: its
+    /// path cuts the outline and the outward normal turns by more than a
+    /// right angle. A point that slides around a curved surface also cuts a
+    /// chord, but turns little in a small step.
+    pub fn point_passes(&self, later: &Self, (from, to): Motion, radius: f64) -> bool {
+        let start = self.to_local(from);
+        let end = later.to_local(to);
+        let moved = (end - start).norm();
+        if self.distance_bound(from) > radius + moved {
+            return false;
+        }
+        let normal_before = self.turn_to_local(self.clearance(from).normal);
+        let normal_after = later.turn_to_local(later.clearance(to).normal);
+        normal_before.dot(&normal_after) < 0.0 && later.cuts(start, end, radius)
+    }
+
+    /// Whether an edge, its ends moving straight, sweeps over a vertex of the
+    /// core while this obstacle becomes `later`.
+    pub fn edge_passes(&self, later: &Self, a: Motion, b: Motion, tolerance: f64) -> bool {
+        let before = (self.to_local(a.0), self.to_local(b.0));
+        let after = (later.to_local(a.1), later.to_local(b.1));
+        let moved = (after.0 - before.0).norm().max((after.1 - before.1).norm());
+        let length = (b.0 - a.0).norm();
+        if self.distance_bound(a.0) > length + moved {
+            return false;
+        }
+        match &later.core {
+            Core::HalfPlane => false,
+            Core::Point => sweeps_over(Vector::zeros(), before, after, tolerance),
+            Core::Vertices(vertices) => vertices
+                .iter()
+                .any(|vertex| sweeps_over(*vertex, before, after, tolerance)),
+        }
+    }
+
+    fn turn_to_local(&self, direction: Vector) -> Vector {
+        self.to_local(direction + self.position())
+    }
+
+    /// Whether a segment in the obstacle's frame comes nearer to the core
+    /// than the radii together.
+    fn cuts(&self, start: Vector, end: Vector, radius: f64) -> bool {
+        let path = Segment::new(to_parry(start), to_parry(end));
+        let here = Pose::identity();
+        let distance = match &self.core {
+            Core::HalfPlane => return false,
+            Core::Point => query::distance(&here, &path, &here, &Ball::new(0.0)),
+            Core::Vertices(vertices) if vertices.len() == 2 => {
+                let core = Segment::new(to_parry(vertices[0]), to_parry(vertices[1]));
+                query::distance(&here, &path, &here, &core)
+            }
+            Core::Vertices(vertices) => {
+                let points = vertices.iter().copied().map(to_parry).collect();
+                match ConvexPolygon::from_convex_polyline_unmodified(points) {
+                    Some(core) => query::distance(&here, &path, &here, &core),
+                    None => return false,
+                }
+            }
+        };
+        // parry supports every pair named here.
+        let Ok(found) = distance else { return false };
+        let grown = self.radius + radius;
+        found.distance < grown || (grown == 0.0 && found.distance <= 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn passes(obstacle: &Obstacle, from: [f64; 2], to: [f64; 2]) -> bool {
+        obstacle.point_passes(obstacle, (from.into(), to.into()), 0.0)
+    }
+
+    #[test]
+    fn straight_through_is_a_passage_and_sliding_is_not() {
+        let disc = Obstacle::new(Core::Point, 0.01, Vector::new(0.1, 0.1), 0.0);
+        assert!(passes(&disc, [0.08, 0.1], [0.12, 0.101]));
+        assert!(!passes(&disc, [0.08, 0.1], [0.088, 0.1]));
+        assert!(!passes(&disc, [0.09, 0.1], [0.0905, 0.103]));
+        assert!(!passes(&disc, [0.08, 0.1], [0.12, 0.13]));
+    }
+
+    #[test]
+    fn a_thin_bar_stops_a_long_stride() {
+        let bar = Obstacle::new(Core::segment(0.1), 1e-4, Vector::zeros(), 0.0);
+        assert!(passes(&bar, [0.0, 0.05], [0.0, -0.05]));
+        assert!(!passes(&bar, [0.07, 0.05], [0.07, -0.05]));
+        let sharp = Core::polygon(&[
+            Vector::new(-0.05, 0.0),
+            Vector::new(0.05, 0.0),
+            Vector::new(0.0, 1e-5),
+        ]);
+        let blade = Obstacle::new(sharp.unwrap(), 0.0, Vector::zeros(), 0.0);
+        assert!(passes(&blade, [0.0, 0.05], [0.0, -0.05]));
+    }
+
+    #[test]
+    fn what_counts_is_the_motion_relative_to_the_obstacle() {
+        let before = Obstacle::new(Core::Point, 0.01, Vector::new(-0.1, 0.0), 0.0);
+        let after = before.moved(Vector::new(0.2, 0.0));
+        let rest = (Vector::zeros(), Vector::zeros());
+        assert!(before.point_passes(&after, rest, 0.0));
+        let along = (Vector::zeros(), Vector::new(0.2, 0.0));
+        assert!(!before.point_passes(&after, along, 0.0));
+    }
+
+    #[test]
+    fn an_edge_sweeps_over_a_thin_disc_that_misses_its_ends() {
+        let disc = Obstacle::new(Core::Point, 1e-4, Vector::zeros(), 0.0);
+        let a = (Vector::new(-0.01, 0.01), Vector::new(-0.01, -0.01));
+        let b = (Vector::new(0.01, 0.01), Vector::new(0.01, -0.01));
+        assert!(disc.edge_passes(&disc, a, b, 1e-9));
+        assert!(!disc.point_passes(&disc, a, 0.0));
+        let beside = (Vector::new(0.03, 0.01), Vector::new(0.03, -0.01));
+        assert!(!disc.edge_passes(&disc, b, beside, 1e-9));
+    }
+}

@@ -1,0 +1,9 @@
+//! Live simulation of cable-driven continuum robots in contact.
+
+pub mod geometry;
+pub mod math;
+pub mod equilibrium;
+pub mod model;
+pub mod scene;
+pub mod solver;
+pub mod units;

@@ -1,0 +1,115 @@
+//! Which parts of the robot may touch obstacles, and how they move with its
+//! nodes. It holds no clearances.
+
+use crate::geometry::Vector;
+use crate::solver::State;
+
+/// A line of the robot that contacts are reported on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Line {
+    /// A node of the backbone.
+    Backbone,
+    /// A node of the cable.
+    Cable,
+    /// The end of a disk on the cable's side.
+    RimCableSide,
+    /// The end of a disk away from the cable.
+    RimFarSide,
+    /// The inside of a backbone link.
+    BackboneLink,
+    /// The inside of a cable link.
+    CableLink,
+    /// The inside of a disk, its flat face.
+    Disk,
+}
+
+impl Line {
+    /// The line's name in files and reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Line::Backbone => "backbone",
+            Line::Cable => "cable",
+            Line::RimCableSide => "rim_cable_side",
+            Line::RimFarSide => "rim_far_side",
+            Line::BackboneLink => "backbone_link",
+            Line::CableLink => "cable_link",
+            Line::Disk => "disk",
+        }
+    }
+}
+
+/// The shape of a candidate. Levers are distances from the backbone along a
+/// disk, positive towards the cable, in metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Element {
+    /// A point of the candidate's node.
+    Point {
+        /// The point's lever.
+        lever: f64,
+    },
+    /// A link from the node before to the candidate's node.
+    Link {
+        /// The lever of both ends.
+        lever: f64,
+    },
+    /// A disk, from one rim to the other.
+    Across {
+        /// The lever of the cable's side; the other end has its negative.
+        lever: f64,
+    },
+}
+
+/// A part of the robot that may touch obstacles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Candidate {
+    /// What it is reported as.
+    pub line: Line,
+    /// Its node, from 1; a link's upper one.
+    pub node: usize,
+    /// Its shape.
+    pub element: Element,
+    /// How thick it is around its point or line, in metres.
+    pub radius: f64,
+}
+
+impl Candidate {
+    /// The candidate's point, or its two ends, from the nodes.
+    pub fn ends(&self, nodes: &[super::PlanarNode]) -> (Vector, Vector) {
+        let node = &nodes[self.node];
+        match self.element {
+            Element::Point { lever } => (node.at(lever), node.at(lever)),
+            Element::Link { lever } => (nodes[self.node - 1].at(lever), node.at(lever)),
+            Element::Across { lever } => (node.at(-lever), node.at(lever)),
+        }
+    }
+}
+
+/// A point of a disk as a function of its node's state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DiskPoint<'a> {
+    pub node: &'a super::PlanarNode,
+    pub lever: f64,
+}
+
+impl DiskPoint<'_> {
+    /// The gradient of w·x, where x is the point.
+    pub fn gradient(&self, weight: Vector) -> State<3> {
+        let turn = self.lever * weight.dot(&self.node.normal());
+        nalgebra::vector![weight.x, weight.y, turn]
+    }
+
+    /// The second derivative of w·x in φ; all others are zero.
+    pub fn curvature(&self, weight: Vector) -> f64 {
+        -self.lever * weight.dot(&self.node.disk)
+    }
+
+    /// The displacement of the point under a unit change of state component
+    /// `index`.
+    pub fn displacement(&self, index: usize) -> Vector {
+        match index {
+            0 => Vector::x(),
+            1 => Vector::y(),
+            _ => self.lever * self.node.normal(),
+        }
+    }
+}

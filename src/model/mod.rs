@@ -1,0 +1,19 @@
+//! The planar robot of eq. 4 and 5 as a chain for the solver.
+//!
+//! [`Problem::new`] parses a scene once into something that cannot be wrong;
+//! what it gives implements [`crate::solver::Chain`] with the state (x, y, φ)
+//! and one control τ a segment. SI units throughout; the solver's cost is
+//! Σ (β/β*)², see [`FourBar`].
+
+mod candidate;
+mod four_bar;
+mod from_scene;
+mod node;
+mod problem;
+mod rows;
+
+pub use candidate::{Candidate, Element, Line};
+pub use four_bar::{FourBar, MOST_BEND, MOST_TURN};
+pub use node::PlanarNode;
+pub use problem::{Bend, Place, Problem, Robot};
+pub use rows::RowKind;

@@ -1,0 +1,358 @@
+//! A planar problem: a robot, a pull, candidates and obstacles, checked once.
+
+use super::candidate::{Candidate, DiskPoint, Element};
+use super::four_bar::FourBar;
+use super::node::PlanarNode;
+use super::rows;
+use crate::geometry::{Obstacle, Vector, perpendicular};
+use crate::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State};
+use nalgebra::{SMatrix, matrix, vector};
+
+/// The robot's dimensions, in metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Robot {
+    /// Length of the backbone.
+    pub length: f64,
+    /// n, the number of segments.
+    pub segments: usize,
+    /// Segments between neighbouring disks.
+    pub segments_per_bay: usize,
+    /// The cable offset a.
+    pub offset: f64,
+    /// Where the robot starts, and how its first disk points (0 for a robot
+    /// that rises along +y).
+    pub base: PlanarNode,
+}
+
+impl Robot {
+    /// Whether a node carries a disk.
+    pub fn has_disk(&self, node: usize) -> bool {
+        node.is_multiple_of(self.segments_per_bay)
+    }
+
+    /// The pulls for which a linkage exists, in metres, ends included.
+    pub fn pull_range(&self) -> (f64, f64) {
+        let n = self.segments as f64;
+        let (least, most) = FourBar::shortening_range(self.length / n, self.offset);
+        (n * least, n * most)
+    }
+}
+
+/// A robot among obstacles at a pull. Every value of it can be solved for or
+/// shown not to be solvable; none is malformed.
+///
+/// Clone with `clone_from` where one exists already: it reuses the storage.
+#[derive(Debug)]
+pub struct Problem {
+    robot: Robot,
+    pull: f64,
+    segment: FourBar,
+    candidates: Vec<Candidate>,
+    obstacles: Vec<Obstacle>,
+}
+
+impl Clone for Problem {
+    fn clone(&self) -> Self {
+        Self {
+            robot: self.robot,
+            pull: self.pull,
+            segment: self.segment,
+            candidates: self.candidates.clone(),
+            obstacles: self.obstacles.clone(),
+        }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        self.robot = source.robot;
+        self.pull = source.pull;
+        self.segment = source.segment;
+        self.candidates.clone_from(&source.candidates);
+        self.obstacles.clone_from(&source.obstacles);
+    }
+}
+
+impl Problem {
+    /// A problem from parts that were checked: see [`Problem::new`] for the
+    /// way from a scene.
+    ///
+    /// # Panics
+    /// If the pull is outside the robot's range: a bug of the caller.
+    pub fn from_parts(
+        robot: Robot,
+        pull: f64,
+        candidates: Vec<Candidate>,
+        obstacles: Vec<Obstacle>,
+    ) -> Self {
+        Self {
+            robot,
+            pull,
+            segment: segment(&robot, pull),
+            candidates,
+            obstacles,
+        }
+    }
+
+    /// The robot's dimensions.
+    pub fn robot(&self) -> &Robot {
+        &self.robot
+    }
+
+    /// The backbone's length, in metres.
+    pub fn length(&self) -> f64 {
+        self.robot.length
+    }
+
+    /// The length of cable drawn in, in metres.
+    pub fn pull(&self) -> f64 {
+        self.pull
+    }
+
+    /// A segment at the present pull.
+    pub fn segment(&self) -> &FourBar {
+        &self.segment
+    }
+
+    /// The parts of the robot that may touch.
+    pub fn candidates(&self) -> &[Candidate] {
+        &self.candidates
+    }
+
+    /// The obstacles, in the order of the scene.
+    pub fn obstacles(&self) -> &[Obstacle] {
+        &self.obstacles
+    }
+
+    /// Sets the pull, clamped to the robot's range.
+    pub fn set_pull(&mut self, pull: f64) {
+        let (least, most) = self.robot.pull_range();
+        self.pull = pull.clamp(least, most);
+        self.segment = segment(&self.robot, self.pull);
+    }
+
+    /// Replaces one obstacle.
+    ///
+    /// # Panics
+    /// If there is no obstacle of that index.
+    pub fn set_obstacle(&mut self, index: usize, obstacle: Obstacle) {
+        self.obstacles[index] = obstacle;
+    }
+
+    /// Whether the same robot meets obstacles of the same kinds in both, so
+    /// that one can be moved into the other.
+    pub fn resembles(&self, other: &Self) -> bool {
+        self.robot == other.robot
+            && self.candidates == other.candidates
+            && self.obstacles.len() == other.obstacles.len()
+            && self
+                .obstacles
+                .iter()
+                .zip(&other.obstacles)
+                .all(|(a, b)| a.resembles(b))
+    }
+
+    /// Becomes the problem a share `t` in \[0, 1\] of the way from `a` to `b`,
+    /// which resemble each other and this one. Allocates nothing.
+    pub fn set_between(&mut self, a: &Self, b: &Self, t: f64) {
+        self.set_pull((1.0 - t) * a.pull + t * b.pull);
+        for ((to, a), b) in self.obstacles.iter_mut().zip(&a.obstacles).zip(&b.obstacles) {
+            to.set_between(a, b, t);
+        }
+    }
+
+    /// The controls of the free robot, straight or an arc: no turn anywhere.
+    pub fn free_controls(&self) -> Vec<Control<1>> {
+        vec![Control::zeros(); self.robot.segments]
+    }
+
+    /// Whether a candidate would pass through an obstacle that moves from
+    /// where it is here to where it is in `later`, while the robot's nodes
+    /// move straight.
+    pub fn motion_passes(&self, later: &Self, from: &[PlanarNode], to: &[PlanarNode]) -> bool {
+        // A link that touches a sharp corner is on it to rounding and may
+        // overlap it by a step's error; neither is a passage.
+        let tolerance = 1e-4 * self.robot.length;
+        let obstacles = || self.obstacles.iter().zip(&later.obstacles);
+        self.candidates.iter().any(|candidate| {
+            let before = candidate.ends(from);
+            let after = candidate.ends(to);
+            let (a, b) = ((before.0, after.0), (before.1, after.1));
+            match candidate.element {
+                Element::Point { .. } => obstacles()
+                    .any(|(now, then)| now.point_passes(then, a, candidate.radius)),
+                _ => obstacles().any(|(now, then)| now.edge_passes(then, a, b, tolerance)),
+            }
+        })
+    }
+}
+
+fn segment(robot: &Robot, pull: f64) -> FourBar {
+    let n = robot.segments as f64;
+    FourBar::new(robot.length / n, pull / n, robot.offset)
+}
+
+/// What a segment keeps for the second derivative of its step, in the world.
+#[derive(Clone, Copy, Debug)]
+pub struct Bend {
+    step: Vector,
+    rate: Vector,
+    acceleration: Vector,
+    bend_acceleration: f64,
+}
+
+impl Chain<3, 1> for Problem {
+    type Node = PlanarNode;
+    type Bend = Bend;
+
+    fn stages(&self) -> usize {
+        self.robot.segments
+    }
+
+    fn base(&self) -> PlanarNode {
+        self.robot.base
+    }
+
+    fn row_scale(&self) -> f64 {
+        self.robot.length
+    }
+
+    fn longest_step(&self) -> f64 {
+        0.5
+    }
+
+    fn stage(
+        &self,
+        _k: usize,
+        from: &PlanarNode,
+        control: &Control<1>,
+    ) -> (PlanarNode, Stage<3, 1>, Bend) {
+        let shape = self.segment.at(control[0]);
+        let world = |v: Vector| v.x * from.disk + v.y * from.normal();
+        let [step, rate, acceleration] = shape.step.map(world);
+        let (cosine, sine) = (shape.rotation.x, shape.rotation.y);
+        let disk = Vector::new(
+            cosine * from.disk.x + sine * from.disk.y,
+            cosine * from.disk.y - sine * from.disk.x,
+        );
+        let node = PlanarNode {
+            position: from.position + step,
+            // One Newton step towards unit length, so that rounding does not
+            // add up along the chain.
+            disk: disk * (1.5 - 0.5 * disk.norm_squared()),
+            angle: from.angle - shape.bend[0],
+        };
+        let swing = perpendicular(step);
+        let stage = Stage {
+            by_state: matrix![1.0, 0.0, swing.x; 0.0, 1.0, swing.y; 0.0, 0.0, 1.0],
+            by_control: matrix![rate.x; rate.y; -shape.bend[1]],
+            cost: shape.cost[0],
+            cost_gradient: vector![shape.cost[1]],
+            cost_curvature: matrix![shape.cost[2]],
+        };
+        let bend = Bend {
+            step,
+            rate,
+            acceleration,
+            bend_acceleration: shape.bend[2],
+        };
+        (node, stage, bend)
+    }
+
+    fn dynamics_curvature(&self, bend: &Bend, adjoint: &State<3>) -> DynamicsCurvature<3, 1> {
+        let force = Vector::new(adjoint[0], adjoint[1]);
+        let mut by_state = SMatrix::zeros();
+        by_state[(2, 2)] = -force.dot(&bend.step);
+        let turned = force.dot(&perpendicular(bend.rate));
+        let turn = force.dot(&bend.acceleration) - adjoint[2] * bend.bend_acceleration;
+        DynamicsCurvature {
+            by_state,
+            mixed: matrix![0.0; 0.0; turned],
+            by_control: matrix![turn],
+        }
+    }
+
+    fn rows(&self, nodes: &[PlanarNode], controls: &[Control<1>], rows: &mut Vec<Row<3, 1>>) {
+        rows.clear();
+        // A row farther away is met after any one iteration that the line
+        // search accepts, or is seen in the next.
+        let margin = 0.08 * self.robot.length;
+        for candidate in 0..self.candidates.len() {
+            for obstacle in 0..self.obstacles.len() {
+                rows::contact_rows(self, candidate, obstacle, nodes, margin, rows);
+            }
+        }
+        rows::limit_rows(self, controls, self.longest_step(), rows);
+    }
+
+    fn row_curvature(&self, row: &Row<3, 1>, nodes: &[PlanarNode]) -> RowCurvature<3> {
+        rows::contact_curvature(self, row, nodes)
+    }
+
+    fn passes_through(&self, from: &[PlanarNode], to: &[PlanarNode]) -> bool {
+        self.motion_passes(self, from, to)
+    }
+}
+
+/// Where a candidate is nearest to an obstacle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// The candidate's point or the point of its edge, in metres.
+    pub point: Vector,
+    /// The unit normal from the obstacle.
+    pub normal: Vector,
+    /// Where on its edge, from 0 to 1; 1 for a point.
+    pub along: f64,
+}
+
+impl Candidate {
+    /// Where the candidate is nearest to an obstacle, for an edge to one of
+    /// its vertices.
+    pub fn place(
+        &self,
+        nodes: &[PlanarNode],
+        obstacle: &Obstacle,
+        vertex: Option<usize>,
+    ) -> Place {
+        let (start, end) = self.ends(nodes);
+        let mut place = Place {
+            point: end,
+            normal: obstacle.clearance(end).normal,
+            along: 1.0,
+        };
+        if vertex.is_some() {
+            obstacle.edge_clearances(start, end, |clearance| {
+                if Some(clearance.vertex) == vertex {
+                    place = Place {
+                        point: start + clearance.along * (end - start),
+                        normal: clearance.normal,
+                        along: clearance.along,
+                    };
+                }
+            });
+        }
+        place
+    }
+
+    /// The clearances of this candidate from an obstacle, each with its
+    /// vertex: one for a point, any number for an edge.
+    pub fn clearances(
+        &self,
+        nodes: &[PlanarNode],
+        obstacle: &Obstacle,
+        mut each: impl FnMut(Option<usize>, f64),
+    ) {
+        let (start, end) = self.ends(nodes);
+        match self.element {
+            Element::Point { lever } => {
+                let point = DiskPoint {
+                    node: &nodes[self.node],
+                    lever,
+                };
+                let clearance = obstacle.clearance(point.node.at(lever));
+                each(None, clearance.distance - self.radius);
+            }
+            _ => obstacle.edge_clearances(start, end, |clearance| {
+                each(Some(clearance.vertex), clearance.distance - self.radius);
+            }),
+        }
+    }
+}

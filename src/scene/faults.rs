@@ -1,0 +1,264 @@
+//! Everything in a scene that cannot be meant: numbers outside their range and
+//! fields that contradict each other. Knows no mechanics and no distances.
+
+use std::collections::BTreeMap;
+use std::fmt::Display;
+
+use super::limits::{
+    ANGLE, CABLE_OFFSET, COORDINATE, CORNER_RADIUS, DISK_RADIUS, DISK_THICKNESS, LENGTH,
+    LINE_DIAMETER, Limits, NODE, OBSTACLES, PULL, RADIUS, SEGMENTS, SEGMENTS_PER_BAY, SIDE,
+    VERTICES, shown,
+};
+use super::{Candidates, Contact, Robot, Scene, SceneError, Shape, VERSION, polygon};
+
+impl Scene {
+    /// Every fault of the scene in the order of the file; empty when it is
+    /// fine. Allocates nothing for a scene without faults, listed nodes and
+    /// polygons aside.
+    pub fn faults(&self) -> Vec<SceneError> {
+        let mut faults = Faults(Vec::new());
+        if self.version != VERSION {
+            let found = i64::from(self.version);
+            faults.0.push(SceneError::Version { found });
+        }
+        robot(&mut faults, &self.robot);
+        faults.number("actuation", "pull_mm", self.actuation.pull_mm, PULL);
+        contact(&mut faults, &self.contact, self.robot.segments);
+        faults.count("obstacle", self.obstacles.len(), OBSTACLES);
+        for (index, obstacle) in self.obstacles.iter().enumerate() {
+            let at = format_args!("obstacle[{index}]");
+            shape(&mut faults, at, &obstacle.shape);
+        }
+        faults.0
+    }
+
+    /// Nothing, when the scene is fine.
+    ///
+    /// # Errors
+    /// The first of [`Scene::faults`].
+    pub fn check(&self) -> Result<(), SceneError> {
+        self.faults().into_iter().next().map_or(Ok(()), Err)
+    }
+}
+
+fn robot(faults: &mut Faults, robot: &Robot) {
+    let at = "robot";
+    faults.number(at, "length_mm", robot.length_mm, LENGTH);
+
+    let segments = robot.segments;
+    let per_bay = robot.segments_per_bay;
+    let segments_fine = faults.number(at, "segments", segments.into(), SEGMENTS);
+    let key = "segments_per_bay";
+    let per_bay_fine = faults.number(at, key, per_bay.into(), SEGMENTS_PER_BAY);
+    if segments_fine && per_bay_fine && !segments.is_multiple_of(per_bay) {
+        let fewer = segments - segments % per_bay;
+        let more = fewer + per_bay;
+        let problem = format!(
+            "is {per_bay}, which does not divide robot.segments, {segments}, so that no disk sits at the tip"
+        );
+        let advice = if fewer == 0 {
+            format!("set it to 1, or set segments to {more}")
+        } else {
+            format!("set it to 1, or set segments to {fewer} or {more}")
+        };
+        faults.conflict("robot.segments_per_bay", problem, advice);
+    }
+
+    let offset = robot.cable_offset_mm;
+    let offset_fine = faults.number(at, "cable_offset_mm", offset, CABLE_OFFSET);
+    if let Some(radius) = robot.disk_radius_mm {
+        let key = "disk_radius_mm";
+        let radius_fine = faults.number(at, key, radius, DISK_RADIUS);
+        if offset_fine && radius_fine && radius < offset {
+            let (least, most) = (shown(offset), shown(DISK_RADIUS.max));
+            let allowed = format!("from robot.cable_offset_mm, {least}, to {most}");
+            faults.not_within(at, key, radius, allowed, DISK_RADIUS);
+        }
+    }
+    for (key, value, range) in [
+        ("disk_thickness_mm", robot.disk_thickness_mm, DISK_THICKNESS),
+        (
+            "backbone_diameter_mm",
+            robot.backbone_diameter_mm,
+            LINE_DIAMETER,
+        ),
+        ("cable_diameter_mm", robot.cable_diameter_mm, LINE_DIAMETER),
+    ] {
+        faults.number(at, key, value, range);
+    }
+    faults.pair("robot.base_mm", robot.base_mm, COORDINATE);
+    faults.number(at, "base_angle_deg", robot.base_angle_deg, ANGLE);
+}
+
+fn contact(faults: &mut Faults, contact: &Contact, segments: u32) {
+    let field = "contact.listed";
+    match (contact.candidates, contact.listed.is_empty()) {
+        (Candidates::Listed, true) => faults.conflict(
+            field,
+            "names no node while contact.candidates is \"listed\"",
+            "list at least one, such as [{ line = \"cable\", node = 1 }], or set candidates to \"nodes\"",
+        ),
+        (Candidates::Nodes | Candidates::Body, false) => faults.conflict(
+            field,
+            "names nodes while contact.candidates is not \"listed\"",
+            "remove the list, or set candidates to \"listed\"",
+        ),
+        _ => {}
+    }
+    let segments_fine = SEGMENTS.contain(segments.into());
+    let mut seen = BTreeMap::new();
+    for (index, listed) in contact.listed.iter().enumerate() {
+        let at = format_args!("contact.listed[{index}]");
+        let node = f64::from(listed.node);
+        let in_range = faults.number(at, "node", node, NODE);
+        if in_range && segments_fine && listed.node > segments {
+            let allowed = format!("from 1 to robot.segments, {segments}");
+            faults.not_within(at, "node", node, allowed, NODE);
+        }
+        if let Some(first) = seen.insert(*listed, index) {
+            let problem = format!("is the same node as contact.listed[{first}]");
+            faults.conflict(at, problem, "remove one of them");
+        }
+    }
+}
+
+fn shape(faults: &mut Faults, at: impl Display + Copy, shape: &Shape) {
+    match shape {
+        Shape::Disc {
+            center_mm,
+            radius_mm,
+        } => {
+            faults.pair(format_args!("{at}.center_mm"), *center_mm, COORDINATE);
+            faults.number(at, "radius_mm", *radius_mm, RADIUS);
+        }
+        Shape::Wall {
+            point_mm,
+            rotation_deg,
+            corner_radius_mm,
+        } => {
+            faults.pair(format_args!("{at}.point_mm"), *point_mm, COORDINATE);
+            faults.number(at, "rotation_deg", *rotation_deg, ANGLE);
+            faults.number(at, "corner_radius_mm", *corner_radius_mm, CORNER_RADIUS);
+        }
+        Shape::Box {
+            center_mm,
+            size_mm,
+            rotation_deg,
+            corner_radius_mm,
+        } => {
+            faults.pair(format_args!("{at}.center_mm"), *center_mm, COORDINATE);
+            let size_fine = faults.pair(format_args!("{at}.size_mm"), *size_mm, SIDE);
+            faults.number(at, "rotation_deg", *rotation_deg, ANGLE);
+            let (key, radius) = ("corner_radius_mm", *corner_radius_mm);
+            let radius_fine = faults.number(at, key, radius, CORNER_RADIUS);
+            let most = size_mm[0].min(size_mm[1]) / 2.0;
+            if size_fine && radius_fine && radius > most {
+                let most = shown(most);
+                let allowed = format!("from 0 to half the smaller side of {at}.size_mm, {most}");
+                faults.not_within(at, key, radius, allowed, CORNER_RADIUS);
+            }
+        }
+        Shape::Capsule {
+            center_mm,
+            length_mm,
+            radius_mm,
+            rotation_deg,
+        } => {
+            faults.pair(format_args!("{at}.center_mm"), *center_mm, COORDINATE);
+            faults.number(at, "length_mm", *length_mm, SIDE);
+            faults.number(at, "radius_mm", *radius_mm, RADIUS);
+            faults.number(at, "rotation_deg", *rotation_deg, ANGLE);
+        }
+        Shape::Polygon {
+            points_mm,
+            rotation_deg,
+            corner_radius_mm,
+        } => {
+            points(faults, format_args!("{at}.points_mm"), points_mm);
+            faults.number(at, "rotation_deg", *rotation_deg, ANGLE);
+            faults.number(at, "corner_radius_mm", *corner_radius_mm, CORNER_RADIUS);
+        }
+    }
+}
+
+fn points(faults: &mut Faults, field: impl Display + Copy, points: &[[f64; 2]]) {
+    // The check of the outline takes quadratic time.
+    if !faults.count(field, points.len(), VERTICES) {
+        return;
+    }
+    let mut all_fine = true;
+    for (index, point) in points.iter().enumerate() {
+        all_fine &= faults.pair(format_args!("{field}[{index}]"), *point, COORDINATE);
+    }
+    if all_fine && let Some(problem) = polygon::fault(points) {
+        let field = field.to_string();
+        faults.0.push(SceneError::Polygon { field, problem });
+    }
+}
+
+/// The faults found so far. What tests a value says whether it was fine, and
+/// spells out the field's name only when it was not.
+struct Faults(Vec<SceneError>);
+
+impl Faults {
+    fn number(&mut self, at: impl Display, key: &str, value: f64, range: Limits) -> bool {
+        let fine = range.contain(value);
+        if !fine {
+            self.0
+                .push(SceneError::outside(format!("{at}.{key}"), value, &range));
+        }
+        fine
+    }
+
+    fn pair(&mut self, field: impl Display, pair: [f64; 2], range: Limits) -> bool {
+        let mut all_fine = true;
+        for (index, value) in pair.into_iter().enumerate() {
+            if !range.contain(value) {
+                let field = format!("{field}[{index}]");
+                self.0.push(SceneError::outside(field, value, &range));
+                all_fine = false;
+            }
+        }
+        all_fine
+    }
+
+    /// Adds a number outside a range that depends on other fields.
+    fn not_within(
+        &mut self,
+        at: impl Display,
+        key: &str,
+        value: f64,
+        allowed: String,
+        range: Limits,
+    ) {
+        let (field, unit) = (format!("{at}.{key}"), range.unit.symbol());
+        self.0
+            .push(SceneError::not_within(field, value, allowed, unit));
+    }
+
+    fn conflict(
+        &mut self,
+        field: impl Display,
+        problem: impl Into<String>,
+        advice: impl Into<String>,
+    ) {
+        self.0.push(SceneError::Conflict {
+            field: field.to_string(),
+            problem: problem.into(),
+            advice: advice.into(),
+        });
+    }
+
+    fn count(&mut self, field: impl Display, count: usize, limit: usize) -> bool {
+        let fine = count <= limit;
+        if !fine {
+            let field = field.to_string();
+            self.0.push(SceneError::TooMany {
+                field,
+                count,
+                limit,
+            });
+        }
+        fine
+    }
+}

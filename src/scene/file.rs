@@ -1,0 +1,83 @@
+//! Scenes from text and to text. Opens no files.
+
+use super::{Scene, SceneError, walk};
+
+/// The largest scene text that is looked at, in bytes.
+///
+/// A hand-written scene has a few kilobytes; the largest allowed, a thousand
+/// polygons of 64 vertices, has about three million bytes with every digit of
+/// its numbers.
+pub const MAX_FILE_BYTES: usize = 4 << 20;
+
+impl Scene {
+    /// The scene the text describes, its numbers as written: see
+    /// [`Scene::check`] for what they may be.
+    ///
+    /// # Errors
+    /// When the text is larger than [`MAX_FILE_BYTES`], is not TOML, or does
+    /// not have the shape of a scene: the first fault found.
+    pub fn from_toml(text: &str) -> Result<Scene, SceneError> {
+        refuse_large(text.len())?;
+        let table: toml::Table = text.parse().map_err(|error| not_toml(text, &error))?;
+        walk::scene(&table)?;
+        match table.try_into() {
+            Ok(scene) => Ok(scene),
+            Err(error) => unreachable!("the table of keys let pass what the types refuse: {error}"),
+        }
+    }
+
+    /// Like [`Scene::from_toml`], from the bytes of a file.
+    ///
+    /// # Errors
+    /// Those of [`Scene::from_toml`], and when the bytes are not UTF-8.
+    pub fn from_toml_bytes(bytes: &[u8]) -> Result<Scene, SceneError> {
+        refuse_large(bytes.len())?;
+        let text = str::from_utf8(bytes).map_err(|error| SceneError::NotText {
+            byte: error.valid_up_to(),
+        })?;
+        Scene::from_toml(text)
+    }
+
+    /// The scene as TOML; [`Scene::from_toml`] reads back the very same scene
+    /// when it has no [`Scene::faults`].
+    pub fn to_toml(&self) -> String {
+        match toml::to_string(self) {
+            Ok(text) => text,
+            Err(error) => unreachable!("a scene holds nothing but what TOML can express: {error}"),
+        }
+    }
+}
+
+fn refuse_large(bytes: usize) -> Result<(), SceneError> {
+    if bytes > MAX_FILE_BYTES {
+        Err(SceneError::TooLarge { bytes })
+    } else {
+        Ok(())
+    }
+}
+
+fn not_toml(text: &str, error: &toml::de::Error) -> SceneError {
+    let message = error.message();
+    // The parser's limits, which it words for programmers.
+    if message.contains("recurs") {
+        return SceneError::TooDeep;
+    }
+    let message = if message.starts_with("invalid type: integer") {
+        "this whole number is too large; write it with a decimal point if it is meant".to_owned()
+    } else {
+        message.to_owned()
+    };
+    let before = error
+        .span()
+        .and_then(|span| text.get(..span.start))
+        .unwrap_or_default();
+    let (line_start, line) = match before.rfind('\n') {
+        Some(end) => (end + 1, before.matches('\n').count() + 1),
+        None => (0, 1),
+    };
+    SceneError::NotToml {
+        line,
+        column: before[line_start..].chars().count() + 1,
+        message,
+    }
+}

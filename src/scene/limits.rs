@@ -1,0 +1,121 @@
+//! The range of every number in a scene, stated once.
+//!
+//! Generous on purpose: a range keeps out slips and values that no arithmetic
+//! survives, not unusual robots. Checks, messages and the JSON Schema all read
+//! these constants.
+
+use std::fmt;
+
+/// A closed range of numbers and their unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// The least value allowed.
+    pub min: f64,
+    /// The greatest value allowed.
+    pub max: f64,
+    /// What the numbers count.
+    pub unit: Unit,
+}
+
+/// A unit of scene files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Millimetres.
+    Millimetre,
+    /// Degrees.
+    Degree,
+    /// Plain counts.
+    One,
+}
+
+/// Length of the backbone.
+pub const LENGTH: Limits = mm(1.0, 1e5);
+/// Number of segments.
+pub const SEGMENTS: Limits = count(1.0, 1e5);
+/// Number of segments between neighbouring disks.
+pub const SEGMENTS_PER_BAY: Limits = SEGMENTS;
+/// Distance between backbone and cable.
+pub const CABLE_OFFSET: Limits = mm(0.01, 1e4);
+/// Radius of a disk's rim, which is also at least the cable offset.
+pub const DISK_RADIUS: Limits = mm(0.01, 1e4);
+/// Thickness of a disk.
+pub const DISK_THICKNESS: Limits = mm(0.0, 1e4);
+/// Diameter of the backbone or of the cable.
+pub const LINE_DIAMETER: Limits = mm(0.0, 1e4);
+/// Length of cable drawn in.
+pub const PULL: Limits = mm(-1e5, 1e5);
+/// Index of a listed node, which is also at most the number of segments.
+pub const NODE: Limits = SEGMENTS;
+/// Either coordinate of any point.
+pub const COORDINATE: Limits = mm(-1e6, 1e6);
+/// Any angle.
+pub const ANGLE: Limits = Limits {
+    min: -36_000.0,
+    max: 36_000.0,
+    unit: Unit::Degree,
+};
+/// Radius of a disc or of a capsule's ends.
+pub const RADIUS: Limits = mm(0.001, 1e6);
+/// Side of a box, or distance between a capsule's ends.
+pub const SIDE: Limits = mm(0.001, 1e6);
+/// Radius that grows or rounds an outline.
+pub const CORNER_RADIUS: Limits = mm(0.0, 1e6);
+/// Least distance between two vertices of a polygon, mm.
+pub const VERTEX_SPACING_MM: f64 = 0.001;
+/// Most vertices of a polygon.
+pub const VERTICES: usize = 64;
+/// Most obstacles in a scene.
+pub const OBSTACLES: usize = 1000;
+
+const fn mm(min: f64, max: f64) -> Limits {
+    Limits {
+        min,
+        max,
+        unit: Unit::Millimetre,
+    }
+}
+
+const fn count(min: f64, max: f64) -> Limits {
+    Limits {
+        min,
+        max,
+        unit: Unit::One,
+    }
+}
+
+impl Limits {
+    /// Whether the value lies in the range; false for NaN.
+    pub fn contain(&self, value: f64) -> bool {
+        (self.min..=self.max).contains(&value)
+    }
+}
+
+/// `from 1 to 100000`, without the unit.
+impl fmt::Display for Limits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "from {} to {}", shown(self.min), shown(self.max))
+    }
+}
+
+impl Unit {
+    /// The sign after a number, empty for plain counts.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Unit::Millimetre => "mm",
+            Unit::Degree => "deg",
+            Unit::One => "",
+        }
+    }
+}
+
+/// A number as one would write it in a scene file: `5`, `0.25`, `1e300`, `nan`.
+pub fn shown(value: f64) -> String {
+    if value.is_nan() {
+        return "nan".to_owned();
+    }
+    let text = format!("{value:?}");
+    match text.strip_suffix(".0") {
+        Some(whole) if whole != "-0" => whole.to_owned(),
+        _ => text,
+    }
+}

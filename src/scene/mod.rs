@@ -1,0 +1,86 @@
+//! The scene: what a scene file says, and nothing computed from it.
+//!
+//! Owns every persisted type. The types have the file's shape, its keys and
+//! its units (millimetres and degrees, as each name says), and may hold
+//! half-edited nonsense: [`Scene::from_toml`] refuses what does not have the
+//! shape of a scene, [`Scene::faults`] finds what has the shape and cannot be
+//! meant. Reads no files: text in, text out.
+//!
+//! ```
+//! use sinew::scene::Scene;
+//!
+//! let text = "
+//!     version = 1
+//!     robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
+//!     actuation = { pull_mm = 5 }
+//! ";
+//! let scene = Scene::from_toml(text)?;
+//! scene.check()?;
+//! assert_eq!(scene.robot.segments_per_bay, 2);
+//!
+//! let typo = Scene::from_toml(&text.replace("pull_mm", "pul_mm"));
+//! assert_eq!(
+//!     typo.unwrap_err().to_string(),
+//!     "actuation.pul_mm is not a key of a scene; did you mean `pull_mm`?",
+//! );
+//! # Ok::<(), sinew::scene::SceneError>(())
+//! ```
+
+mod contact;
+mod error;
+mod faults;
+mod file;
+mod keys;
+pub mod limits;
+mod obstacle;
+mod polygon;
+mod robot;
+#[cfg(feature = "cli")]
+pub mod schema;
+mod walk;
+
+use serde::{Deserialize, Serialize};
+
+pub use contact::{Candidates, Contact, Line, Listed};
+pub use error::SceneError;
+pub use file::MAX_FILE_BYTES;
+pub use obstacle::{Obstacle, Shape};
+pub use polygon::PolygonFault;
+pub use robot::{Actuation, Robot};
+
+/// The only version of the file format there is.
+pub const VERSION: u32 = 1;
+
+/// A robot, what pulls it and what stands around it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Scene {
+    /// The version of the file format; only [`VERSION`] is accepted.
+    pub version: u32,
+    /// What the scene is called.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// The robot.
+    pub robot: Robot,
+    /// What drives the robot.
+    pub actuation: Actuation,
+    /// Which parts of the robot may touch an obstacle.
+    #[serde(default)]
+    pub contact: Contact,
+    /// What stands around the robot; at most [`limits::OBSTACLES`].
+    #[serde(default, rename = "obstacle", skip_serializing_if = "Vec::is_empty")]
+    pub obstacles: Vec<Obstacle>,
+}
+
+/// The paper's robot, straight and with nothing around it.
+impl Default for Scene {
+    fn default() -> Self {
+        Scene {
+            version: VERSION,
+            title: None,
+            robot: Robot::default(),
+            actuation: Actuation { pull_mm: 0.0 },
+            contact: Contact::default(),
+            obstacles: Vec::new(),
+        }
+    }
+}

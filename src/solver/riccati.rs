@@ -1,0 +1,217 @@
+//! H⁻¹ by a Riccati recursion, where H is a chain's Hessian in its controls.
+//!
+//! H d = b is the optimality condition of a linear-quadratic control problem:
+//! minimise ½ Σ (dz, du)ᵀ M_k (dz, du) + ½ Σ dz_kᵀ W_k dz_k − bᵀ(du, dz) along
+//! dz_k = A_k dz_{k−1} + B_k du_k, dz_0 = 0. Backward from the tip, with the
+//! value function's Hessian P_k:
+//!
+//! ```text
+//! Q_uu = M_uu + Bᵀ P B     Q_uz = M_uz + Bᵀ P A     Q_zz = M_zz + Aᵀ P A
+//! K    = Q_uu⁻¹ Q_uz       P_{k−1} = W_{k−1} + Q_zz − Q_uzᵀ K
+//! ```
+//!
+//! H is positive definite exactly where every Q_uu is (Wright 1993; it is the
+//! block LDLᵀ of H in the tip-to-base order). Factoring and solving cost O(n).
+
+use super::chain::{Chain, Control, Row, Stage, State};
+use super::hessian::Hessian;
+use super::point::Point;
+use nalgebra::{Cholesky, Const, SMatrix, SVector};
+
+/// H is not positive definite: the pivot of this stage is not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotPositive {
+    /// The stage nearest the tip at which the recursion stopped, from 1.
+    pub stage: usize,
+}
+
+/// A right-hand side, as a gradient in controls and states.
+#[derive(Clone, Copy, Debug)]
+pub enum Source<'a, const NX: usize, const NU: usize> {
+    /// The gradient of the cost.
+    Cost,
+    /// The gradient of one row.
+    Row(&'a Row<NX, NU>),
+}
+
+/// One stage of the factor.
+#[derive(Clone, Copy, Debug)]
+struct Factor<const NX: usize, const NU: usize> {
+    /// Q_uu⁻¹.
+    inverse: SMatrix<f64, NU, NU>,
+    /// K = Q_uu⁻¹ Q_uz.
+    gain: SMatrix<f64, NU, NX>,
+}
+
+/// The factor of a Hessian, tip to base.
+#[derive(Clone, Debug)]
+pub struct Riccati<const NX: usize, const NU: usize> {
+    factors: Vec<Factor<NX, NU>>,
+    /// Scratch of a solve: Q_uu⁻¹ (b_u + Bᵀ s), one a stage.
+    feedforward: Vec<Control<NU>>,
+    /// The eigenvector of the least eigenvalue of the pivot that stopped the
+    /// last factorisation.
+    worst: Control<NU>,
+}
+
+impl<const NX: usize, const NU: usize> Default for Riccati<NX, NU> {
+    fn default() -> Self {
+        Self {
+            factors: Vec::new(),
+            feedforward: Vec::new(),
+            worst: SVector::zeros(),
+        }
+    }
+}
+
+/// A⁻¹ for a positive definite A whose pivots exceed `least`.
+fn positive_inverse<const NU: usize>(
+    matrix: SMatrix<f64, NU, NU>,
+    least: f64,
+) -> Option<SMatrix<f64, NU, NU>> {
+    if NU == 1 {
+        let pivot = matrix[(0, 0)];
+        return (pivot > least).then(|| SMatrix::from_element(1.0 / pivot));
+    }
+    let factor: Cholesky<f64, Const<NU>> = Cholesky::new(matrix)?;
+    let positive = (0..NU).all(|i| factor.l_dirty()[(i, i)].powi(2) > least);
+    positive.then(|| factor.inverse())
+}
+
+/// The eigenvector of the least eigenvalue, by shifted power iteration: 40
+/// rounds give a direction good enough to leave a saddle along.
+fn least_direction<const NU: usize>(matrix: SMatrix<f64, NU, NU>) -> Control<NU> {
+    let shifted = SMatrix::<f64, NU, NU>::identity() * matrix.norm() - matrix;
+    let mut direction = Control::<NU>::from_fn(|i, _| 1.0 + 0.1 * i as f64).normalize();
+    for _ in 0..40 {
+        let next = shifted * direction;
+        let norm = next.norm();
+        if norm <= 0.0 {
+            break;
+        }
+        direction = next / norm;
+    }
+    direction
+}
+
+impl<const NX: usize, const NU: usize> Riccati<NX, NU> {
+    /// Factors H + `shift` · I. Pivots must exceed `least_pivot`.
+    pub fn factor(
+        &mut self,
+        stages: &[Stage<NX, NU>],
+        hessian: &Hessian<NX, NU>,
+        shift: f64,
+        least_pivot: f64,
+    ) -> Result<(), NotPositive> {
+        let n = stages.len();
+        let empty = Factor {
+            inverse: SMatrix::zeros(),
+            gain: SMatrix::zeros(),
+        };
+        self.factors.resize(n, empty);
+        self.feedforward.resize(n, SVector::zeros());
+        let mut value = hessian.nodes[n];
+        for k in (1..=n).rev() {
+            let stage = &stages[k - 1];
+            let block = &hessian.stages[k - 1];
+            let value_by_state = value * stage.by_state;
+            let mut uu = block.by_control + stage.by_control.tr_mul(&(value * stage.by_control));
+            for i in 0..NU {
+                uu[(i, i)] += shift;
+            }
+            let uz = block.mixed.transpose() + stage.by_control.tr_mul(&value_by_state);
+            let zz = block.by_state + stage.by_state.tr_mul(&value_by_state);
+            let Some(inverse) = positive_inverse(uu, least_pivot) else {
+                self.worst = least_direction(uu);
+                return Err(NotPositive { stage: k });
+            };
+            let gain = inverse * uz;
+            value = hessian.nodes[k - 1] + zz - uz.tr_mul(&gain);
+            self.factors[k - 1] = Factor { inverse, gain };
+        }
+        Ok(())
+    }
+
+    /// du = H⁻¹ b with the states' perturbation dz that follows from it
+    /// (`du`: n, `dz`: n + 1, both overwritten). Needs a factor of the same
+    /// stages.
+    pub fn solve<C: Chain<NX, NU>>(
+        &mut self,
+        point: &Point<C, NX, NU>,
+        source: Source<'_, NX, NU>,
+        du: &mut Vec<Control<NU>>,
+        dz: &mut Vec<State<NX>>,
+    ) {
+        let stages = &point.stages;
+        let n = stages.len();
+        let last = match source {
+            Source::Cost => n,
+            Source::Row(row) => row.stage,
+        };
+        let mut sum: State<NX> = match source {
+            Source::Cost => SVector::zeros(),
+            Source::Row(row) => row.after,
+        };
+        for k in (1..=last).rev() {
+            let stage = &stages[k - 1];
+            let factor = &self.factors[k - 1];
+            let mut by_control = stage.by_control.tr_mul(&sum);
+            let mut before = None;
+            match source {
+                Source::Cost => by_control += stage.cost_gradient,
+                Source::Row(row) if k == last => {
+                    by_control += row.control;
+                    before = row.before;
+                }
+                Source::Row(_) => {}
+            }
+            self.feedforward[k - 1] = factor.inverse * by_control;
+            sum = stage.by_state.tr_mul(&sum) - factor.gain.tr_mul(&by_control);
+            if let Some(gradient) = before {
+                sum += gradient;
+            }
+        }
+        self.forward(stages, last, du, dz);
+    }
+
+    /// After [`Riccati::factor`] stopped at `stage`: a direction of negative
+    /// curvature, the eigenvector of that stage's least pivot followed by the
+    /// feedback of the stages beyond it.
+    pub fn descend<C: Chain<NX, NU>>(
+        &mut self,
+        point: &Point<C, NX, NU>,
+        stage: usize,
+        du: &mut Vec<Control<NU>>,
+        dz: &mut Vec<State<NX>>,
+    ) {
+        for k in 1..=stage {
+            self.feedforward[k - 1] = SVector::zeros();
+            self.factors[k - 1].gain = SMatrix::zeros();
+        }
+        self.feedforward[stage - 1] = self.worst;
+        self.forward(&point.stages, stage, du, dz);
+    }
+
+    /// Rolls the perturbation out, with a feedforward up to stage `last`.
+    fn forward(
+        &self,
+        stages: &[Stage<NX, NU>],
+        last: usize,
+        du: &mut Vec<Control<NU>>,
+        dz: &mut Vec<State<NX>>,
+    ) {
+        du.clear();
+        dz.clear();
+        let mut state: State<NX> = SVector::zeros();
+        dz.push(state);
+        for (k, (stage, factor)) in stages.iter().zip(&self.factors).enumerate() {
+            let mut control = -(factor.gain * state);
+            if k < last {
+                control += self.feedforward[k];
+            }
+            state = stage.by_state * state + stage.by_control * control;
+            du.push(control);
+            dz.push(state);
+        }
+    }
+}

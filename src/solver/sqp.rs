@@ -1,0 +1,532 @@
+//! Sequential quadratic programming on a chain, one iteration at a time.
+//!
+//! Each iteration reads like the textbook: residuals, Hessian, subproblem,
+//! line search. Residuals and multipliers are exact, so the end result tells
+//! a row that presses from one that only touches.
+//!
+//! The merit function is Σ L + μ Σ max(0, −g) with μ above every multiplier.
+//! A full step that raises it is first corrected to second order (curved
+//! obstacles would otherwise cut every step short), then halved.
+//!
+//! Where the exact Hessian is not positive definite it is made so without
+//! losing fast convergence: first by ρ ∇g ∇gᵀ of the rows in the set, which
+//! leaves the Newton step on them unchanged, and only then by a shift. A
+//! stationary point that stays indefinite is a saddle and is left along its
+//! direction of negative curvature.
+
+use super::chain::{Chain, Control, RowId};
+use super::hessian::Hessian;
+use super::point::Point;
+use super::riccati::{NotPositive, Riccati};
+use super::working_set::{Terms, WorkingSet};
+
+/// Whether an iteration may step over what [`Chain::passes_through`] names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tunnelling {
+    /// Every step is checked: for a motion that starts from a true state.
+    Forbidden,
+    /// No step is checked: for a search from anywhere.
+    Allowed,
+}
+
+/// Tolerances and limits. All dimensionless.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Iterations before giving up.
+    pub iterations: usize,
+    /// Greatest entry of the Lagrangian's gradient, relative to the greatest
+    /// of the cost's (at least 1). Newton's last step lands near 1e-14, so
+    /// 1e-11 costs no iteration and is above rounding up to n = 10⁴.
+    pub stationarity: f64,
+    /// Greatest violation of a row, relative to [`Chain::row_scale`].
+    pub feasibility: f64,
+    /// Whether steps are checked for tunnelling.
+    pub tunnelling: Tunnelling,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            iterations: 100,
+            stationarity: 1e-11,
+            feasibility: 1e-12,
+            tunnelling: Tunnelling::Forbidden,
+        }
+    }
+}
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// A minimum: first-order conditions met, reduced Hessian positive.
+    Converged,
+    /// First-order conditions met, but not a minimum, and no way down found.
+    Saddle,
+    /// The rows' violation is stationary and not zero.
+    Infeasible,
+    /// The allowed iterations are used up.
+    IterationLimit,
+    /// No step along the search direction improves the merit.
+    Stalled,
+    /// Every step ahead leads through an obstacle.
+    Blocked,
+    /// The starting controls are outside the chain's domain.
+    OutsideDomain,
+}
+
+/// What one call of [`Sqp::step`] led to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Progress {
+    /// Not done: call again.
+    Running,
+    /// Done; further calls change nothing.
+    Done(Outcome),
+}
+
+/// One line of the iteration trace: the point an iteration started from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Iteration {
+    /// Σ L.
+    pub cost: f64,
+    /// Greatest entry of the Lagrangian's gradient.
+    pub stationarity: f64,
+    /// Greatest violation of a row, in the rows' unit.
+    pub violation: f64,
+    /// Rows with a positive multiplier.
+    pub active: usize,
+    /// Greatest change of a control in the step taken from here.
+    pub step: f64,
+    /// The shift that made the Hessian positive; 0 where none was needed.
+    pub shift: f64,
+}
+
+/// Penalties ν tried in turn, times the cost's scale over the rows' scale:
+/// multipliers of contacts between hard bodies reach some hundreds.
+const PENALTIES: [f64; 3] = [1e4, 1e6, 1e8];
+/// Stiffnesses ρ tried in turn, over the rows' scale squared.
+const STIFFNESSES: [f64; 3] = [1e2, 1e4, 1e6];
+/// Pivots below this share of the cost's curvature (of order 1) count as not
+/// positive.
+const LEAST_PIVOT: f64 = 1e-9;
+/// Armijo's constant.
+const SUFFICIENT: f64 = 1e-4;
+/// Changes of the merit below this share of its size are rounding.
+const ROUNDING: f64 = 1e-14;
+/// How far a saddle is left, in controls.
+const NUDGE: f64 = 0.02;
+/// How often a run leaves saddles.
+const NUDGES: usize = 4;
+
+/// The state of a run: a point, its multipliers, and the storage of a step.
+#[derive(Clone, Debug)]
+pub struct Sqp<C: Chain<NX, NU>, const NX: usize, const NU: usize> {
+    settings: Settings,
+    point: Point<C, NX, NU>,
+    trial: Point<C, NX, NU>,
+    /// One a row of `point`.
+    multipliers: Vec<f64>,
+    /// The last multipliers by name, for rows that come back.
+    named: Vec<(RowId, f64)>,
+    hessian: Hessian<NX, NU>,
+    riccati: Riccati<NX, NU>,
+    set: WorkingSet<NX, NU>,
+    trace: Vec<Iteration>,
+    penalty: usize,
+    merit_penalty: f64,
+    shift: f64,
+    /// Whether the last factor was of the unshifted Hessian.
+    exact: bool,
+    nudges: usize,
+    done: Option<Outcome>,
+}
+
+impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Default for Sqp<C, NX, NU> {
+    fn default() -> Self {
+        Self {
+            settings: Settings::default(),
+            point: Point::default(),
+            trial: Point::default(),
+            multipliers: Vec::new(),
+            named: Vec::new(),
+            hessian: Hessian::default(),
+            riccati: Riccati::default(),
+            set: WorkingSet::default(),
+            trace: Vec::new(),
+            penalty: 0,
+            merit_penalty: 0.0,
+            shift: 0.0,
+            exact: false,
+            nudges: 0,
+            done: None,
+        }
+    }
+}
+
+impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
+    /// Begins a run from `controls`, with multipliers for the rows named in
+    /// `multipliers` (in the order of their ids) and zero for all others.
+    pub fn start(
+        &mut self,
+        chain: &C,
+        controls: &[Control<NU>],
+        multipliers: &[(RowId, f64)],
+        settings: Settings,
+    ) {
+        self.settings = settings;
+        self.point.controls.clear();
+        self.point.controls.extend_from_slice(controls);
+        self.named.clear();
+        self.named.extend_from_slice(multipliers);
+        self.trace.clear();
+        self.penalty = 0;
+        self.merit_penalty = 0.0;
+        self.shift = 0.0;
+        self.exact = false;
+        self.nudges = 0;
+        self.done = None;
+        self.point.evaluate(chain);
+        if !self.point.cost.is_finite() {
+            self.done = Some(Outcome::OutsideDomain);
+        }
+        self.recall_multipliers();
+    }
+
+    /// Steps until done.
+    pub fn run(&mut self, chain: &C) -> Outcome {
+        loop {
+            if let Progress::Done(outcome) = self.step(chain) {
+                return outcome;
+            }
+        }
+    }
+
+    /// One iteration.
+    pub fn step(&mut self, chain: &C) -> Progress {
+        if let Some(outcome) = self.done {
+            return Progress::Done(outcome);
+        }
+        let scale = chain.row_scale();
+        let cost_scale = self.cost_scale();
+        let stationarity = self.stationarity();
+        let violation = self.point.worst_violation();
+        let active = self.multipliers.iter().filter(|m| **m > 0.0).count();
+        self.trace.push(Iteration {
+            cost: self.point.cost,
+            stationarity,
+            violation,
+            active,
+            step: 0.0,
+            shift: 0.0,
+        });
+        let stationary = stationarity <= self.settings.stationarity * cost_scale;
+        let feasible = violation <= self.settings.feasibility * scale;
+        let complementary = self.complementary(scale);
+        if stationary && complementary && (feasible || self.saturated(chain)) {
+            return self.end_at_stationary(chain, feasible);
+        }
+        if self.trace.len() > self.settings.iterations {
+            return self.end(Outcome::IterationLimit);
+        }
+        let stiffness = self.factor(chain);
+        let terms = Terms {
+            penalty: self.penalty(chain),
+            tolerance: 0.1 * self.settings.feasibility * scale,
+            stiffness,
+        };
+        self.set
+            .solve(&mut self.riccati, &self.point, &self.multipliers, terms);
+        self.search(chain)
+    }
+
+    /// The point reached.
+    pub fn point(&self) -> &Point<C, NX, NU> {
+        &self.point
+    }
+
+    /// λ, one a row of the point, ≥ 0.
+    pub fn multipliers(&self) -> &[f64] {
+        &self.multipliers
+    }
+
+    /// One entry an iteration, the last for the point reached.
+    pub fn trace(&self) -> &[Iteration] {
+        &self.trace
+    }
+
+    fn end(&mut self, outcome: Outcome) -> Progress {
+        self.done = Some(outcome);
+        Progress::Done(outcome)
+    }
+
+    fn penalty(&self, chain: &C) -> f64 {
+        PENALTIES[self.penalty] * self.cost_scale() / chain.row_scale()
+    }
+
+    /// The greatest entry of the cost's gradient, at least 1.
+    fn cost_scale(&self) -> f64 {
+        let entries = self.point.stages.iter().map(|s| s.cost_gradient.amax());
+        entries.fold(1.0, f64::max)
+    }
+
+    fn stationarity(&mut self) -> f64 {
+        let gradient = self.hessian.gradient(&self.point, &self.multipliers);
+        gradient.iter().map(|g| g.amax()).fold(0.0, f64::max)
+    }
+
+    /// Whether every row with a multiplier is met as an equality. Rows that
+    /// cannot be met (λ = ν) are below zero and judged as violations.
+    fn complementary(&self, scale: f64) -> bool {
+        let tolerance = self.settings.feasibility * scale;
+        let pairs = self.point.rows.iter().zip(&self.multipliers);
+        pairs
+            .filter(|(_, multiplier)| **multiplier > 0.0)
+            .all(|(row, _)| row.value <= tolerance)
+    }
+
+    /// Whether some multiplier is at its bound, so that its row gives way.
+    fn saturated(&self, chain: &C) -> bool {
+        let bound = self.penalty(chain) * (1.0 - 1e-9);
+        self.multipliers.iter().any(|m| *m >= bound)
+    }
+
+    /// First-order conditions hold: decides what the point is.
+    fn end_at_stationary(&mut self, chain: &C, feasible: bool) -> Progress {
+        if !self.exact {
+            self.hessian.assemble(chain, &self.point, &self.multipliers);
+            if let Err(NotPositive { stage }) = self.factor_exact(chain) {
+                if self.nudges < NUDGES {
+                    self.nudges += 1;
+                    self.nudge(chain, stage);
+                    return Progress::Running;
+                }
+                if feasible {
+                    return self.end(Outcome::Saddle);
+                }
+            }
+        }
+        if feasible {
+            return self.end(Outcome::Converged);
+        }
+        if self.penalty + 1 < PENALTIES.len() {
+            self.penalty += 1;
+            self.exact = false;
+            return Progress::Running;
+        }
+        self.end(Outcome::Infeasible)
+    }
+
+    /// Factors the Hessian, stiffened by the active rows if that is what it
+    /// takes; returns the stiffness.
+    fn factor_exact(&mut self, chain: &C) -> Result<f64, NotPositive> {
+        let mut outcome = self.try_factor(0.0);
+        let mut before = 0.0;
+        if self.multipliers.iter().any(|m| *m > 0.0) {
+            for stiffness in STIFFNESSES {
+                if outcome.is_ok() {
+                    break;
+                }
+                let stiffness = stiffness / chain.row_scale().powi(2);
+                for (row, &multiplier) in self.point.rows.iter().zip(&self.multipliers) {
+                    if multiplier > 0.0 {
+                        self.hessian.stiffen(&self.point, row, stiffness - before);
+                    }
+                }
+                before = stiffness;
+                outcome = self.try_factor(0.0);
+            }
+        }
+        outcome.map(|()| before)
+    }
+
+    fn try_factor(&mut self, shift: f64) -> Result<(), NotPositive> {
+        self.riccati
+            .factor(&self.point.stages, &self.hessian, shift, LEAST_PIVOT)
+    }
+
+    /// Factors the Hessian, made positive by whatever it takes; returns the
+    /// stiffness in it.
+    fn factor(&mut self, chain: &C) -> f64 {
+        self.hessian.assemble(chain, &self.point, &self.multipliers);
+        // After a stall the shift stays for one iteration.
+        if self.shift == 0.0
+            && let Ok(stiffness) = self.factor_exact(chain)
+        {
+            self.exact = true;
+            return stiffness;
+        }
+        self.exact = false;
+        self.hessian.assemble(chain, &self.point, &self.multipliers);
+        let mut shift = self.shift.max(1e-2);
+        while self.try_factor(shift).is_err() && shift < 1e15 {
+            shift *= 8.0;
+        }
+        if let Some(last) = self.trace.last_mut() {
+            last.shift = shift;
+        }
+        self.shift = 0.0;
+        0.0
+    }
+
+    /// Leaves a saddle along the direction of negative curvature that the
+    /// stage's pivot shows, to the side with the lower merit.
+    fn nudge(&mut self, chain: &C, stage: usize) {
+        self.riccati
+            .descend(&self.point, stage, &mut self.set.du, &mut self.set.dz);
+        let longest = longest(&self.set.du);
+        let mut best: Option<(f64, f64)> = None;
+        for amount in [NUDGE / longest, -NUDGE / longest] {
+            self.place_trial(amount);
+            self.trial.evaluate(chain);
+            let merit = self.trial.cost + self.penalty(chain) * self.trial.total_violation();
+            if merit.is_finite() && best.is_none_or(|(lowest, _)| merit < lowest) {
+                best = Some((merit, amount));
+            }
+        }
+        if let Some((_, amount)) = best {
+            self.place_trial(amount);
+            self.trial.evaluate(chain);
+            self.name_multipliers();
+            self.accept();
+        }
+        self.merit_penalty = 0.0;
+    }
+
+    fn place_trial(&mut self, amount: f64) {
+        self.trial.controls.clear();
+        let moved = self.point.controls.iter().zip(&self.set.du);
+        self.trial.controls.extend(moved.map(|(u, d)| u + amount * d));
+    }
+
+    /// Σ L + μ Σ max(0, −g).
+    fn merit(&self, point: &Point<C, NX, NU>) -> f64 {
+        point.cost + self.merit_penalty * point.total_violation()
+    }
+
+    /// Looks for an acceptable point along the subproblem's step.
+    fn search(&mut self, chain: &C) -> Progress {
+        let most = self.set.multipliers.iter().fold(0.0_f64, |a, b| a.max(*b));
+        self.merit_penalty = self.merit_penalty.max(1.5 * most);
+        let slope = self.slope();
+        let start = self.merit(&self.point);
+        let size = self.point.cost.abs() + self.point.stages.len() as f64;
+        let slack = ROUNDING * (size + self.merit_penalty * chain.row_scale());
+        let longest = longest(&self.set.du);
+        let mut amount = (chain.longest_step() / longest).min(1.0);
+        let mut corrected = amount < 1.0;
+        let mut blocked = false;
+        while amount * longest > 1e-14 || amount == 1.0 {
+            self.place_trial(amount);
+            self.trial.evaluate(chain);
+            let merit = self.merit(&self.trial);
+            let enough = start + SUFFICIENT * amount * slope + slack;
+            if merit.is_finite() && merit <= enough {
+                if self.clear(chain) {
+                    return self.take(amount * longest);
+                }
+                blocked = true;
+            } else if !corrected && self.trial.cost.is_finite() {
+                corrected = true;
+                if self.correct(chain, enough) {
+                    return self.take(amount * longest);
+                }
+            }
+            amount *= 0.5;
+        }
+        self.retry_or_stall(blocked)
+    }
+
+    /// The merit's slope along the full step, negative unless stationary.
+    fn slope(&self) -> f64 {
+        let gradient = self.point.stages.iter().zip(&self.set.du);
+        let cost: f64 = gradient.map(|(s, d)| s.cost_gradient.dot(d)).sum();
+        let mut violation = 0.0;
+        for row in &self.point.rows {
+            let after = row.value + row.change(&self.set.du, &self.set.dz);
+            violation += (-after).max(0.0) - (-row.value).max(0.0);
+        }
+        (cost + self.merit_penalty * violation).min(0.0)
+    }
+
+    fn clear(&self, chain: &C) -> bool {
+        self.settings.tunnelling == Tunnelling::Allowed
+            || !chain.passes_through(&self.point.nodes, &self.trial.nodes)
+    }
+
+    /// Tries the full step with its second-order correction, from the rows'
+    /// values after the full step; leaves the uncorrected step otherwise.
+    fn correct(&mut self, chain: &C, enough: f64) -> bool {
+        let after = &self.trial.rows;
+        let before = &self.point.rows;
+        self.set.correct(|row| {
+            let id = before[row].id;
+            after
+                .binary_search_by_key(&id, |row| row.id)
+                .map_or(0.0, |found| after[found].value)
+        });
+        self.place_trial(1.0);
+        self.trial.evaluate(chain);
+        let merit = self.merit(&self.trial);
+        if merit.is_finite() && merit <= enough && self.clear(chain) {
+            return true;
+        }
+        self.set.uncorrect();
+        false
+    }
+
+    /// Makes the trial the point.
+    fn take(&mut self, step: f64) -> Progress {
+        if let Some(last) = self.trace.last_mut() {
+            last.step = step;
+        }
+        std::mem::swap(&mut self.multipliers, &mut self.set.multipliers);
+        self.name_multipliers();
+        self.accept();
+        Progress::Running
+    }
+
+    fn accept(&mut self) {
+        std::mem::swap(&mut self.point, &mut self.trial);
+        self.recall_multipliers();
+    }
+
+    /// No step was acceptable: a shifted Hessian gets one more chance.
+    fn retry_or_stall(&mut self, blocked: bool) -> Progress {
+        if let Some(last) = self.trace.last()
+            && last.shift < 1e6
+        {
+            self.shift = (100.0 * last.shift).max(1.0);
+            return Progress::Running;
+        }
+        self.end(if blocked {
+            Outcome::Blocked
+        } else {
+            Outcome::Stalled
+        })
+    }
+
+    /// Notes the multipliers of the point's rows by name.
+    fn name_multipliers(&mut self) {
+        self.named.clear();
+        let rows = self.point.rows.iter().zip(&self.multipliers);
+        self.named.extend(
+            rows.filter(|(_, multiplier)| **multiplier > 0.0)
+                .map(|(row, &multiplier)| (row.id, multiplier)),
+        );
+    }
+
+    /// Gives the point's rows the multipliers noted for their names.
+    fn recall_multipliers(&mut self) {
+        self.multipliers.clear();
+        let mut named = self.named.iter().peekable();
+        for row in &self.point.rows {
+            while named.next_if(|(id, _)| *id < row.id).is_some() {}
+            let multiplier = named.next_if(|(id, _)| *id == row.id).map_or(0.0, |n| n.1);
+            self.multipliers.push(multiplier);
+        }
+    }
+}
+
+/// The greatest entry of a step.
+fn longest<const NU: usize>(du: &[Control<NU>]) -> f64 {
+    du.iter().map(|d| d.amax()).fold(0.0, f64::max)
+}

@@ -1,0 +1,27 @@
+//! Conversions between the library's SI units and those of files and labels.
+//!
+//! The only place where a factor of a thousand or of π/180 appears. It holds
+//! no quantities of its own.
+
+/// Metres in a millimetre.
+pub const METRES_PER_MM: f64 = 1e-3;
+
+/// Metres from millimetres.
+pub fn metres(millimetres: f64) -> f64 {
+    millimetres * METRES_PER_MM
+}
+
+/// Millimetres from metres.
+pub fn millimetres(metres: f64) -> f64 {
+    metres / METRES_PER_MM
+}
+
+/// Radians from degrees.
+pub fn radians(degrees: f64) -> f64 {
+    degrees.to_radians()
+}
+
+/// Degrees from radians.
+pub fn degrees(radians: f64) -> f64 {
+    radians.to_degrees()
+}
