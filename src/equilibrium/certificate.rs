@@ -211,6 +211,11 @@ impl Certifier {
         cross(above, below).atan2(above.dot(&below))
     }
 
+    fn largest_bend(&self) -> f64 {
+        let bends = (1..self.backbone.len()).map(|i| self.bend(i).abs());
+        bends.fold(0.0, f64::max)
+    }
+
     /// Adds Σ β² to the balance and to the Hessian's blocks.
     fn add_energy(&mut self) {
         let nodes = self.backbone.len();
@@ -428,6 +433,12 @@ impl Certifier {
     /// Whether the Hessian is positive definite along the links and pressing
     /// contacts.
     fn is_minimum(&mut self, problem: &Problem) -> bool {
+        // Without pull every shape of the linkage has no energy: each is a
+        // minimum, though not a strict one. So it is, to rounding, where the
+        // squared bends drown in 1e-16.
+        if problem.segment().free_bend().abs() < 1e-7 {
+            return self.largest_bend() < 1e-6;
+        }
         let curvature = 2.0 / problem.robot().offset.powi(2);
         let mut stiffness = 0.0;
         if self.pivots_positive() {
@@ -461,7 +472,7 @@ impl Certifier {
             let across = self.across[i];
             let pushed = value * free;
             let pivot = free.dot(&pushed);
-            let least = 1e-13 * value.amax();
+            let least = 1e-16 * value.amax();
             if pivot.is_nan() || pivot <= least {
                 return false;
             }

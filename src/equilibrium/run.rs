@@ -399,24 +399,26 @@ impl Run {
         let SolveProgress::Done(outcome) = progress else {
             return;
         };
-        if outcome == Outcome::Converged && (self.follows() || self.step <= self.least_step) {
-            self.accept();
+        let locked = self.locked_segment();
+        let follows = self.follows();
+        let last_try = self.step <= self.least_step;
+        if outcome == Outcome::Converged && locked.is_none() && (follows || last_try) {
+            self.accept(follows);
             return;
         }
-        if self.step > self.least_step {
+        if !last_try {
             self.shorten(EndReason::Fold);
             return;
         }
         let status = match outcome {
+            Outcome::Converged => self.end_of_branch(EndReason::LinkageLimit, locked),
             Outcome::Infeasible => Status::Infeasible {
                 conflicts: self.conflicts(),
             },
-            Outcome::Blocked => self.branch_ended(EndReason::Blocked),
+            Outcome::Blocked => self.end_of_branch(EndReason::Blocked, locked),
+            Outcome::Saddle | Outcome::Stalled => self.end_of_branch(EndReason::Fold, locked),
             Outcome::IterationLimit => Status::IterationLimit,
             Outcome::OutsideDomain => Status::NumericalFailure,
-            Outcome::Saddle | Outcome::Stalled | Outcome::Converged => {
-                self.branch_ended(EndReason::Fold)
-            }
         };
         self.end(status);
     }
@@ -426,13 +428,17 @@ impl Run {
         self.iterations += 1;
         if let SolveProgress::Done(outcome) = progress {
             self.take_anchor();
+            let locked = self.locked_segment();
             let status = match outcome {
+                Outcome::Converged if locked.is_some() => {
+                    self.end_of_branch(EndReason::LinkageLimit, locked)
+                }
                 Outcome::Converged => Status::Converged,
                 Outcome::Infeasible => Status::Infeasible {
                     conflicts: self.conflicts(),
                 },
                 Outcome::IterationLimit => Status::IterationLimit,
-                Outcome::Saddle => self.branch_ended(EndReason::Fold),
+                Outcome::Saddle => self.end_of_branch(EndReason::Fold, locked),
                 Outcome::Stalled | Outcome::Blocked | Outcome::OutsideDomain => {
                     Status::NumericalFailure
                 }
@@ -454,17 +460,16 @@ impl Run {
     fn shorten(&mut self, reason: EndReason) {
         self.phase = Phase::Between;
         if self.step <= self.least_step {
-            let status = self.branch_ended(reason);
+            let status = self.end_of_branch(reason, None);
             self.end(status);
         } else {
             self.step = (0.5 * self.step).max(self.least_step);
         }
     }
 
-    /// Takes the step.
-    fn accept(&mut self) {
-        let jumped = !self.follows();
-        if jumped {
+    /// Takes the step; one that does not follow the branch is a jump.
+    fn accept(&mut self, follows: bool) {
+        if !follows {
             let (node, distance) = self.farthest_node();
             self.note(Occurrence::Jump { node, distance });
         }
@@ -472,7 +477,7 @@ impl Run {
         let easy = self.sqp.trace().len() <= EASY + 1;
         self.take_anchor();
         self.at = self.target();
-        if jumped || easy {
+        if !follows || easy {
             self.step = (2.0 * self.step).min(self.most_step);
         }
         self.phase = Phase::Between;
@@ -620,20 +625,28 @@ impl Run {
         conflicts
     }
 
-    /// The end of the branch at the anchor.
-    fn branch_ended(&self, reason: EndReason) -> Status {
-        let controls = self.anchor.controls.iter().enumerate();
-        let (index, turn) = controls
-            .map(|(index, control)| (index, control[0].abs()))
-            .fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most });
-        let locked = turn >= self.now.segment().most_turn() - 1e-9;
+    /// The segment that the solve left pressing against the limit of its
+    /// linkage. Eq. 5 knows no such limit: a shape that needs it is none of
+    /// its equilibria.
+    fn locked_segment(&self) -> Option<usize> {
+        let count = self.now.obstacles().len();
+        let mut rows = self.sqp.point().rows.iter().zip(self.sqp.multipliers());
+        rows.find_map(|(row, multiplier)| match RowKind::of(row.id, count) {
+            RowKind::TurnLimit { segment, .. } if *multiplier > 0.0 => Some(segment),
+            _ => None,
+        })
+    }
+
+    /// The end of the branch at the anchor: where a segment locks, that is the
+    /// reason.
+    fn end_of_branch(&self, reason: EndReason, locked: Option<usize>) -> Status {
+        let turns = self.anchor.controls.iter().map(|control| control[0].abs());
+        let most = turns.enumerate().fold((0, 0.0), |most, next| {
+            if next.1 > most.1 { next } else { most }
+        });
         Status::BranchEnded {
-            reason: if locked {
-                EndReason::LinkageLimit
-            } else {
-                reason
-            },
-            segment: index + 1,
+            reason: locked.map_or(reason, |_| EndReason::LinkageLimit),
+            segment: locked.unwrap_or(most.0 + 1),
         }
     }
 }
