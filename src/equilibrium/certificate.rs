@@ -26,8 +26,8 @@ use nalgebra::{SMatrix, SVector};
 type Pair = SVector<f64, 4>;
 type Block = SMatrix<f64, 4, 4>;
 
-/// Bends below this, in radians, drown in the rounding of coordinates; the
-/// residual is relative to the forces that bends of at least this size make.
+/// Bends below this, in radians, drown in the rounding of coordinates: the
+/// residual is relative to a force of bending of at least this much.
 const LEAST_BEND: f64 = 1e-5;
 /// Stiffnesses that hold pressing contacts in the second-order test, relative
 /// to the curvature of the energy: for a reduced Hessian that is positive one
@@ -38,7 +38,7 @@ const STIFFNESSES: [f64; 4] = [1.0, 1e2, 1e5, 1e8];
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Certificate {
     /// Greatest unbalanced force on a node along its free direction, relative
-    /// to the greatest force of the bends.
+    /// to the greatest force of a contact or of the free bend.
     pub stationarity: f64,
     /// Greatest error of a link's or disk's length, relative to the backbone's
     /// length.
@@ -138,9 +138,9 @@ impl Certifier {
         self.add_contacts(problem, contacts);
         let n = problem.robot().segments;
         let free_bend = problem.segment().free_bend().abs();
-        let force = 2.0 * (free_bend + LEAST_BEND) / problem.robot().offset;
+        let bending = 2.0 * (free_bend + LEAST_BEND) / problem.robot().offset;
         let (residual, cable_sum) = self.balance_links();
-        certificate.stationarity = residual / force;
+        certificate.stationarity = residual / bending.max(most);
         // ∂l_a/∂l = −1/n for every cable link.
         certificate.energy_slope = -cable_sum / n as f64;
         certificate.minimum = self.is_minimum(problem);

@@ -71,15 +71,18 @@ pub enum Progress {
 
 /// Steps below this share of the backbone's length, of pull or of obstacle
 /// motion, are not halved any more: the branch ends there.
-const LEAST_STEP: f64 = 1e-6;
+const LEAST_STEP: f64 = 1e-5;
 /// A step is refused where any segment turns by more than this, in radians.
 const MOST_TURNED: f64 = 0.3;
 /// Share of the predicted turn that the rest of the solve may add …
 const UNPREDICTED: f64 = 0.4;
 /// … and what it may add in any case, in radians.
 const UNNOTICED: f64 = 2e-3;
-/// Iterations a solve of a step may take.
-const STEP_ITERATIONS: usize = 60;
+/// Iterations a step's solve may take before the step is halved: one that
+/// follows the branch takes three to eight.
+const STEP_ITERATIONS: usize = 25;
+/// Iterations of a solve that cannot be halved any more, and of a direct one.
+const LAST_ITERATIONS: usize = 400;
 /// A step that needed at most this many iterations is followed by a longer one.
 const EASY: usize = 4;
 
@@ -286,7 +289,7 @@ impl Run {
 
     fn start_direct(&mut self) {
         let settings = SolveSettings {
-            iterations: 4 * STEP_ITERATIONS,
+            iterations: LAST_ITERATIONS,
             tunnelling: Tunnelling::Allowed,
             ..SolveSettings::default()
         };
@@ -377,7 +380,11 @@ impl Run {
         }
         self.phase = Phase::Solving;
         let settings = SolveSettings {
-            iterations: STEP_ITERATIONS,
+            iterations: if self.step > self.least_step {
+                STEP_ITERATIONS
+            } else {
+                LAST_ITERATIONS
+            },
             ..SolveSettings::default()
         };
         self.started.clone_from(&self.anchor.controls);
@@ -406,6 +413,7 @@ impl Run {
             self.accept(follows);
             return;
         }
+        if std::env::var("DBG").is_ok() { eprintln!("fail at {} step {:.2e} {:?} follows {} len {}", self.at, self.step, outcome, follows, self.sqp.trace().len()); if last_try { for t in self.sqp.trace() { eprintln!("   {t:?}"); } for (r,m) in self.sqp.point().rows.iter().zip(self.sqp.multipliers()) { eprintln!("   {:?} v {:.3e} m {:.3e}", RowKind::of(r.id,self.now.obstacles().len()), r.value, m);} } }
         if !last_try {
             self.shorten(EndReason::Fold);
             return;

@@ -100,18 +100,28 @@ pub struct Iteration {
     pub shift: f64,
 }
 
-/// Penalties ν tried in turn, times the cost's scale over the rows' scale:
-/// multipliers of contacts between hard bodies reach some hundreds.
-const PENALTIES: [f64; 3] = [1e4, 1e6, 1e8];
+/// Penalties ν tried in turn, over the rows' scale. Costs are of order 1 a
+/// stage; the multipliers of a robot that leans on something reach some
+/// hundreds, those of one that is nearly locked some ten thousand.
+const PENALTIES: [f64; 2] = [1e4, 1e6];
 /// Stiffnesses ρ tried in turn, over the rows' scale squared.
 const STIFFNESSES: [f64; 3] = [1e2, 1e4, 1e6];
 /// Pivots below this share of the cost's curvature (of order 1) count as not
 /// positive.
 const LEAST_PIVOT: f64 = 1e-9;
+/// The least shift tried, in the cost's curvature (of order 1). Just past a
+/// fold the curvature is hardly negative, and a shift much above it would make
+/// the slide away from there crawl.
+const LEAST_SHIFT: f64 = 1e-7;
+/// The factor between shifts tried in turn.
+const MORE_SHIFT: f64 = 4.0;
 /// Armijo's constant.
 const SUFFICIENT: f64 = 1e-4;
 /// Changes of the merit below this share of its size are rounding.
 const ROUNDING: f64 = 1e-14;
+/// Rounding of the rows' part of the Lagrangian's gradient, relative to the
+/// largest multiplier times the rows' scale: about 50 units in the last place.
+const FORCE_ROUNDING: f64 = 1e-14;
 /// How far a saddle is left, in controls.
 const NUDGE: f64 = 0.02;
 /// How often a run leaves saddles.
@@ -218,14 +228,23 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
             step: 0.0,
             shift: 0.0,
         });
-        let stationary = stationarity <= self.settings.stationarity * cost_scale;
+        // λ ∇g summed along the chain is rounded like its largest terms.
+        let largest = self.multipliers.iter().fold(0.0_f64, |a, b| a.max(*b)) * scale;
+        let stationary =
+            stationarity <= self.settings.stationarity * cost_scale + FORCE_ROUNDING * largest;
         let feasible = violation <= self.settings.feasibility * scale;
         let complementary = self.complementary(scale);
         if stationary && complementary && (feasible || self.saturated(chain)) {
             return self.end_at_stationary(chain, feasible);
         }
         if self.trace.len() > self.settings.iterations {
-            return self.end(Outcome::IterationLimit);
+            // Above the first penalty the run has been at a point where the
+            // violation was stationary, and found no way out since.
+            return self.end(if self.penalty > 0 && !feasible {
+                Outcome::Infeasible
+            } else {
+                Outcome::IterationLimit
+            });
         }
         let stiffness = self.factor(chain);
         let terms = Terms {
@@ -259,7 +278,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     }
 
     fn penalty(&self, chain: &C) -> f64 {
-        PENALTIES[self.penalty] * self.cost_scale() / chain.row_scale()
+        PENALTIES[self.penalty] / chain.row_scale()
     }
 
     /// The greatest entry of the cost's gradient, at least 1.
@@ -285,15 +304,15 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
 
     /// Whether some multiplier is at its bound, so that its row gives way.
     fn saturated(&self, chain: &C) -> bool {
-        let bound = self.penalty(chain) * (1.0 - 1e-9);
-        self.multipliers.iter().any(|m| *m >= bound)
+        let bound = self.penalty(chain);
+        self.multipliers.iter().any(|m| *m > 0.0 && !held(*m, bound))
     }
 
     /// First-order conditions hold: decides what the point is.
     fn end_at_stationary(&mut self, chain: &C, feasible: bool) -> Progress {
         if !self.exact {
             self.hessian.assemble(chain, &self.point, &self.multipliers);
-            if let Err(NotPositive { stage }) = self.factor_exact(chain) {
+            if let (_, Err(NotPositive { stage })) = self.factor_exact(chain) {
                 if self.nudges < NUDGES {
                     self.nudges += 1;
                     self.nudge(chain, stage);
@@ -316,18 +335,19 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     }
 
     /// Factors the Hessian, stiffened by the active rows if that is what it
-    /// takes; returns the stiffness.
-    fn factor_exact(&mut self, chain: &C) -> Result<f64, NotPositive> {
+    /// takes; returns the stiffness, and whether that was enough.
+    fn factor_exact(&mut self, chain: &C) -> (f64, Result<(), NotPositive>) {
         let mut outcome = self.try_factor(0.0);
         let mut before = 0.0;
-        if self.multipliers.iter().any(|m| *m > 0.0) {
+        let bound = self.penalty(chain);
+        if self.multipliers.iter().any(|m| held(*m, bound)) {
             for stiffness in STIFFNESSES {
                 if outcome.is_ok() {
                     break;
                 }
                 let stiffness = stiffness / chain.row_scale().powi(2);
                 for (row, &multiplier) in self.point.rows.iter().zip(&self.multipliers) {
-                    if multiplier > 0.0 {
+                    if held(multiplier, bound) {
                         self.hessian.stiffen(&self.point, row, stiffness - before);
                     }
                 }
@@ -335,7 +355,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
                 outcome = self.try_factor(0.0);
             }
         }
-        outcome.map(|()| before)
+        (before, outcome)
     }
 
     fn try_factor(&mut self, shift: f64) -> Result<(), NotPositive> {
@@ -347,24 +367,24 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     /// stiffness in it.
     fn factor(&mut self, chain: &C) -> f64 {
         self.hessian.assemble(chain, &self.point, &self.multipliers);
+        let (stiffness, outcome) = self.factor_exact(chain);
         // After a stall the shift stays for one iteration.
-        if self.shift == 0.0
-            && let Ok(stiffness) = self.factor_exact(chain)
-        {
-            self.exact = true;
+        self.exact = outcome.is_ok() && self.shift == 0.0;
+        if self.exact {
             return stiffness;
         }
-        self.exact = false;
-        self.hessian.assemble(chain, &self.point, &self.multipliers);
-        let mut shift = self.shift.max(1e-2);
+        // The stiffness stays: without it the shift would have to outweigh
+        // the curvature across the contacts too, and slow down the slide along
+        // them that leads away from a fold.
+        let mut shift = self.shift.max(LEAST_SHIFT);
         while self.try_factor(shift).is_err() && shift < 1e15 {
-            shift *= 8.0;
+            shift *= MORE_SHIFT;
         }
         if let Some(last) = self.trace.last_mut() {
             last.shift = shift;
         }
         self.shift = 0.0;
-        0.0
+        stiffness
     }
 
     /// Leaves a saddle along the direction of negative curvature that the
@@ -405,7 +425,10 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     /// Looks for an acceptable point along the subproblem's step.
     fn search(&mut self, chain: &C) -> Progress {
         let most = self.set.multipliers.iter().fold(0.0_f64, |a, b| a.max(*b));
-        self.merit_penalty = self.merit_penalty.max(1.5 * most);
+        // Never above ν: the subproblem gives way to a saturated row at that
+        // price, and its step would not lower a merit that asks for more.
+        let bound = self.penalty(chain);
+        self.merit_penalty = self.merit_penalty.max(1.5 * most).min(bound);
         let slope = self.slope();
         let start = self.merit(&self.point);
         let size = self.point.cost.abs() + self.point.stages.len() as f64;
@@ -524,6 +547,12 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
             self.multipliers.push(multiplier);
         }
     }
+}
+
+/// Whether a row with this multiplier is met as an equality: it presses, and
+/// does not give way at the penalty.
+pub(super) fn held(multiplier: f64, penalty: f64) -> bool {
+    multiplier > 0.0 && multiplier < penalty * (1.0 - 1e-9)
 }
 
 /// The greatest entry of a step.

@@ -14,6 +14,7 @@
 use super::chain::{Chain, Control, State};
 use super::point::Point;
 use super::riccati::{Riccati, Source};
+use super::sqp::held;
 use crate::math::PackedCholesky;
 
 /// A row depends on those in the set where its pivot falls below this share
@@ -98,7 +99,7 @@ pub(super) struct Terms {
     /// How far below zero a linearised row may end, in the rows' unit.
     pub tolerance: f64,
     /// ρ of the rows that [`super::Hessian::stiffen`] was called for: those
-    /// with a positive multiplier in the guess.
+    /// that the guess has [`held`].
     pub stiffness: f64,
 }
 
@@ -175,7 +176,7 @@ impl<const NX: usize, const NU: usize> WorkingSet<NX, NU> {
     ) {
         for (row, _) in guess.iter().enumerate().filter(|(_, guess)| **guess > 0.0) {
             let index = self.column(riccati, point, row);
-            if terms.stiffness > 0.0 {
+            if terms.stiffness > 0.0 && held(guess[row], terms.penalty) {
                 // ½ρ(g + ∇gᵀd)² also has a linear part.
                 let amount = terms.stiffness * point.rows[row].value;
                 let column = &self.columns[index];
