@@ -72,7 +72,7 @@ fn foot(obstacle: &Obstacle, problem: &Problem, nodes: &[PlanarNode], direction:
         .iter()
         .filter_map(|candidate| {
             let (start, end) = candidate.ends(nodes);
-            let near = obstacle.distance_bound(start) < (end - start).norm() + candidate.radius;
+            let near = !obstacle.is_beyond(start, (end - start).norm() + candidate.radius);
             let height = direction.dot(&start).min(direction.dot(&end));
             near.then_some(height - candidate.radius)
         })

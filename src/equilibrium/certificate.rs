@@ -187,7 +187,7 @@ impl Certifier {
             for obstacle in problem.obstacles() {
                 match end {
                     None => {
-                        if obstacle.distance_bound(start) <= candidate.radius {
+                        if !obstacle.is_beyond(start, candidate.radius) {
                             let distance = obstacle.clearance(start).distance;
                             deepest = deepest.max(candidate.radius - distance);
                         }

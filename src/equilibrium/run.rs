@@ -413,7 +413,6 @@ impl Run {
             self.accept(follows);
             return;
         }
-        if std::env::var("DBG").is_ok() { eprintln!("fail at {} step {:.2e} {:?} follows {} len {}", self.at, self.step, outcome, follows, self.sqp.trace().len()); if last_try { for t in self.sqp.trace() { eprintln!("   {t:?}"); } for (r,m) in self.sqp.point().rows.iter().zip(self.sqp.multipliers()) { eprintln!("   {:?} v {:.3e} m {:.3e}", RowKind::of(r.id,self.now.obstacles().len()), r.value, m);} } }
         if !last_try {
             self.shorten(EndReason::Fold);
             return;
@@ -436,6 +435,7 @@ impl Run {
         self.iterations += 1;
         if let SolveProgress::Done(outcome) = progress {
             self.take_anchor();
+            self.keep_trace();
             let locked = self.locked_segment();
             let status = match outcome {
                 Outcome::Converged if locked.is_some() => {
@@ -491,6 +491,7 @@ impl Run {
         self.phase = Phase::Between;
         if self.at == 1.0 {
             if self.last_leg {
+                self.keep_trace();
                 self.fill(Status::Converged);
             } else {
                 self.from.clone_from(&self.to);
@@ -500,21 +501,23 @@ impl Run {
         }
     }
 
-    /// Ends short of the goal: solves once more where the anchor is, so that
-    /// what is shown is the last equilibrium.
+    /// Ends short of the goal with the last equilibrium, and the trace of the
+    /// solve that did not lead on.
     fn end(&mut self, status: Status) {
         if let Status::BranchEnded { reason, segment } = status {
             self.note(Occurrence::BranchEnded { reason, segment });
         }
+        self.keep_trace();
         self.set_now(self.at);
-        self.sqp.start(
-            &self.now,
-            &self.anchor.controls,
-            &self.anchor.multipliers,
-            SolveSettings::default(),
-        );
-        self.sqp.run(&self.now);
+        let (controls, multipliers) = (&self.anchor.controls, &self.anchor.multipliers);
+        let settings = SolveSettings::default();
+        self.sqp.start(&self.now, controls, multipliers, settings);
         self.fill(status);
+    }
+
+    fn keep_trace(&mut self) {
+        self.solution.trace.clear();
+        self.solution.trace.extend_from_slice(self.sqp.trace());
     }
 
     fn fill(&mut self, status: Status) {
@@ -526,8 +529,6 @@ impl Run {
             status => status,
         };
         self.solution.iterations = self.iterations;
-        self.solution.trace.clear();
-        self.solution.trace.extend_from_slice(self.sqp.trace());
         self.phase = Phase::Done;
     }
 

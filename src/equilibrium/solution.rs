@@ -105,7 +105,8 @@ pub struct Solution {
     pub events: Vec<Event>,
     /// Iterations of the whole run.
     pub iterations: usize,
-    /// The iterations of the last solve.
+    /// The iterations of the last solve: the one that led here or, where the
+    /// run ended short of its goal, the one that led no further.
     pub trace: Vec<Iteration>,
     certifier: Certifier,
 }

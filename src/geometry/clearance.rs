@@ -40,11 +40,16 @@ pub struct EdgeClearance {
 }
 
 impl Obstacle {
-    /// A lower bound of a point's distance to the surface, cheap.
-    pub fn distance_bound(&self, point: Vector) -> f64 {
+    /// Whether a point is certainly farther from the surface than `margin`;
+    /// cheap, and false for some points that are.
+    pub fn is_beyond(&self, point: Vector, margin: f64) -> bool {
+        let away = point - self.position();
         match self.core {
-            Core::HalfPlane => self.wall_normal().dot(&(point - self.position())) - self.radius,
-            _ => (point - self.position()).norm() - self.reach,
+            Core::HalfPlane => self.wall_normal().dot(&away) > self.radius + margin,
+            _ => {
+                let near = self.reach + margin;
+                near < 0.0 || away.norm_squared() > near * near
+            }
         }
     }
 

@@ -20,28 +20,34 @@ impl Obstacle {
     /// path cuts the outline and the outward normal turns by more than a
     /// right angle. A point that slides around a curved surface also cuts a
     /// chord, but turns little in a small step.
-    pub fn point_passes(&self, later: &Self, (from, to): Motion, radius: f64) -> bool {
-        let start = self.to_local(from);
-        let end = later.to_local(to);
-        let moved = (end - start).norm();
-        if self.distance_bound(from) > radius + moved {
+    ///
+    /// `change` is [`Obstacle::change`] between the two.
+    pub fn point_passes(&self, later: &Self, (from, to): Motion, radius: f64, change: f64) -> bool {
+        if self.is_beyond(from, radius + (to - from).norm() + change) {
             return false;
         }
+        let start = self.to_local(from);
+        let end = later.to_local(to);
         let normal_before = self.turn_to_local(self.clearance(from).normal);
         let normal_after = later.turn_to_local(later.clearance(to).normal);
         normal_before.dot(&normal_after) < 0.0 && later.cuts(start, end, radius)
     }
 
     /// Whether an edge, its ends moving straight, sweeps over a vertex of the
-    /// core while this obstacle becomes `later`.
-    pub fn edge_passes(&self, later: &Self, a: Motion, b: Motion, tolerance: f64) -> bool {
-        let before = (self.to_local(a.0), self.to_local(b.0));
-        let after = (later.to_local(a.1), later.to_local(b.1));
-        let moved = (after.0 - before.0).norm().max((after.1 - before.1).norm());
-        let length = (b.0 - a.0).norm();
-        if self.distance_bound(a.0) > length + moved {
+    /// core while this obstacle becomes `later`, `change` apart.
+    pub fn edge_passes(
+        &self,
+        later: &Self,
+        (a, b): (Motion, Motion),
+        tolerance: f64,
+        change: f64,
+    ) -> bool {
+        let moved = (a.1 - a.0).norm().max((b.1 - b.0).norm());
+        if self.is_beyond(a.0, (b.0 - a.0).norm() + moved + change) {
             return false;
         }
+        let before = (self.to_local(a.0), self.to_local(b.0));
+        let after = (later.to_local(a.1), later.to_local(b.1));
         match &later.core {
             Core::HalfPlane => false,
             Core::Point => sweeps_over(Vector::zeros(), before, after, tolerance),
@@ -87,7 +93,7 @@ mod tests {
     use super::*;
 
     fn passes(obstacle: &Obstacle, from: [f64; 2], to: [f64; 2]) -> bool {
-        obstacle.point_passes(obstacle, (from.into(), to.into()), 0.0)
+        obstacle.point_passes(obstacle, (from.into(), to.into()), 0.0, 0.0)
     }
 
     #[test]
@@ -118,9 +124,10 @@ mod tests {
         let before = Obstacle::new(Core::Point, 0.01, Vector::new(-0.1, 0.0), 0.0);
         let after = before.moved(Vector::new(0.2, 0.0));
         let rest = (Vector::zeros(), Vector::zeros());
-        assert!(before.point_passes(&after, rest, 0.0));
+        let change = before.change(&after);
+        assert!(before.point_passes(&after, rest, 0.0, change));
         let along = (Vector::zeros(), Vector::new(0.2, 0.0));
-        assert!(!before.point_passes(&after, along, 0.0));
+        assert!(!before.point_passes(&after, along, 0.0, change));
     }
 
     #[test]
@@ -128,9 +135,9 @@ mod tests {
         let disc = Obstacle::new(Core::Point, 1e-4, Vector::zeros(), 0.0);
         let a = (Vector::new(-0.01, 0.01), Vector::new(-0.01, -0.01));
         let b = (Vector::new(0.01, 0.01), Vector::new(0.01, -0.01));
-        assert!(disc.edge_passes(&disc, a, b, 1e-9));
-        assert!(!disc.point_passes(&disc, a, 0.0));
+        assert!(disc.edge_passes(&disc, (a, b), 1e-9, 0.0));
+        assert!(!disc.point_passes(&disc, a, 0.0, 0.0));
         let beside = (Vector::new(0.03, 0.01), Vector::new(0.03, -0.01));
-        assert!(!disc.edge_passes(&disc, b, beside, 1e-9));
+        assert!(!disc.edge_passes(&disc, (b, beside), 1e-9, 0.0));
     }
 }

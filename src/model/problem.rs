@@ -171,16 +171,18 @@ impl Problem {
         // A link that touches a sharp corner is on it to rounding and may
         // overlap it by a step's error; neither is a passage.
         let tolerance = 1e-4 * self.robot.length;
-        let obstacles = || self.obstacles.iter().zip(&later.obstacles);
-        self.candidates.iter().any(|candidate| {
-            let before = candidate.ends(from);
-            let after = candidate.ends(to);
-            let (a, b) = ((before.0, after.0), (before.1, after.1));
-            match candidate.element {
-                Element::Point { .. } => obstacles()
-                    .any(|(now, then)| now.point_passes(then, a, candidate.radius)),
-                _ => obstacles().any(|(now, then)| now.edge_passes(then, a, b, tolerance)),
-            }
+        let pairs = self.obstacles.iter().zip(&later.obstacles);
+        pairs.into_iter().any(|(now, then)| {
+            let change = now.change(then);
+            self.candidates.iter().any(|candidate| {
+                let before = candidate.ends(from);
+                let after = candidate.ends(to);
+                let a = (before.0, after.0);
+                match candidate.element {
+                    Element::Point { .. } => now.point_passes(then, a, candidate.radius, change),
+                    _ => now.edge_passes(then, (a, (before.1, after.1)), tolerance, change),
+                }
+            })
         })
     }
 }
@@ -276,9 +278,7 @@ impl Chain<3, 1> for Problem {
         // search accepts, or is seen in the next.
         let margin = 0.08 * self.robot.length;
         for candidate in 0..self.candidates.len() {
-            for obstacle in 0..self.obstacles.len() {
-                rows::contact_rows(self, candidate, obstacle, nodes, margin, rows);
-            }
+            rows::contact_rows(self, candidate, nodes, margin, rows);
         }
         rows::limit_rows(self, controls, self.longest_step(), rows);
     }

@@ -9,7 +9,7 @@
 use super::candidate::{Candidate, DiskPoint, Element};
 use super::node::PlanarNode;
 use super::problem::Problem;
-use crate::geometry::Vector;
+use crate::geometry::{EdgeClearance, Vector};
 use crate::solver::{Control, Row, RowCurvature, RowId, State};
 use nalgebra::{SMatrix, vector};
 
@@ -75,69 +75,76 @@ impl RowKind {
     }
 }
 
-/// Adds the rows of one candidate against one obstacle that are nearer than
-/// `margin`.
+/// Adds the rows of one candidate that are nearer than `margin`.
 pub(super) fn contact_rows(
     problem: &Problem,
     index: usize,
-    obstacle_index: usize,
     nodes: &[PlanarNode],
     margin: f64,
     rows: &mut Vec<Row<3, 1>>,
 ) {
     let candidate = &problem.candidates()[index];
-    let obstacle = &problem.obstacles()[obstacle_index];
-    let count = problem.obstacles().len();
-    let (start, end) = candidate.ends(nodes);
-    let id = |vertex| {
-        let kind = RowKind::Contact {
-            candidate: index,
-            obstacle: obstacle_index,
-            vertex,
-        };
-        kind.id(count)
-    };
     let near = margin + candidate.radius;
-    if let Element::Point { lever } = candidate.element {
-        if obstacle.distance_bound(start) > near {
-            return;
+    let (start, end) = candidate.ends(nodes);
+    let count = problem.obstacles().len();
+    for (obstacle_index, obstacle) in problem.obstacles().iter().enumerate() {
+        let id = |vertex| {
+            let kind = RowKind::Contact {
+                candidate: index,
+                obstacle: obstacle_index,
+                vertex,
+            };
+            kind.id(count)
+        };
+        if let Element::Point { lever } = candidate.element {
+            if obstacle.is_beyond(start, near) {
+                continue;
+            }
+            let clearance = obstacle.clearance(start);
+            if clearance.distance > near {
+                continue;
+            }
+            let node = &nodes[candidate.node];
+            rows.push(Row {
+                id: id(None),
+                stage: candidate.node,
+                value: clearance.distance - candidate.radius,
+                before: None,
+                after: DiskPoint { node, lever }.gradient(clearance.normal),
+                control: Control::zeros(),
+            });
+            continue;
         }
-        let clearance = obstacle.clearance(start);
-        if clearance.distance > near {
-            return;
+        if obstacle.is_beyond(start, near + (end - start).norm()) {
+            continue;
         }
-        let node = &nodes[candidate.node];
-        rows.push(Row {
-            id: id(None),
-            stage: candidate.node,
-            value: clearance.distance - candidate.radius,
-            before: None,
-            after: DiskPoint { node, lever }.gradient(clearance.normal),
-            control: Control::zeros(),
+        obstacle.edge_clearances(start, end, |clearance| {
+            if clearance.distance <= near {
+                rows.push(edge_row(candidate, id(Some(clearance.vertex)), nodes, clearance));
+            }
         });
-        return;
     }
-    let middle = 0.5 * (start + end);
-    if obstacle.distance_bound(middle) > near + 0.5 * (end - start).norm() {
-        return;
+}
+
+/// The row of an edge's inside on a vertex.
+fn edge_row(
+    candidate: &Candidate,
+    id: RowId,
+    nodes: &[PlanarNode],
+    clearance: EdgeClearance,
+) -> Row<3, 1> {
+    let [first, last] = edge_points(candidate, nodes);
+    let first = first.gradient((1.0 - clearance.along) * clearance.normal);
+    let last = last.gradient(clearance.along * clearance.normal);
+    let one_node = matches!(candidate.element, Element::Across { .. });
+    Row {
+        id,
+        stage: candidate.node,
+        value: clearance.distance - candidate.radius,
+        before: (!one_node).then_some(first),
+        after: if one_node { first + last } else { last },
+        control: Control::zeros(),
     }
-    obstacle.edge_clearances(start, end, |clearance| {
-        if clearance.distance > near {
-            return;
-        }
-        let [first, last] = edge_points(candidate, nodes);
-        let first = first.gradient((1.0 - clearance.along) * clearance.normal);
-        let last = last.gradient(clearance.along * clearance.normal);
-        let one_node = matches!(candidate.element, Element::Across { .. });
-        rows.push(Row {
-            id: id(Some(clearance.vertex)),
-            stage: candidate.node,
-            value: clearance.distance - candidate.radius,
-            before: (!one_node).then_some(first),
-            after: if one_node { first + last } else { last },
-            control: Control::zeros(),
-        });
-    });
 }
 
 /// The two ends of an edge as functions of their nodes' states.

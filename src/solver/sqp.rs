@@ -104,7 +104,8 @@ pub struct Iteration {
 /// stage; the multipliers of a robot that leans on something reach some
 /// hundreds, those of one that is nearly locked some ten thousand.
 const PENALTIES: [f64; 2] = [1e4, 1e6];
-/// Stiffnesses ρ tried in turn, over the rows' scale squared.
+/// Stiffnesses ρ tried in turn, times the greatest multiplier (at least 1 over
+/// the rows' scale) over the rows' scale.
 const STIFFNESSES: [f64; 3] = [1e2, 1e4, 1e6];
 /// Pivots below this share of the cost's curvature (of order 1) count as not
 /// positive.
@@ -115,6 +116,10 @@ const LEAST_PIVOT: f64 = 1e-9;
 const LEAST_SHIFT: f64 = 1e-7;
 /// The factor between shifts tried in turn.
 const MORE_SHIFT: f64 = 4.0;
+/// The merit's weight falls back where it exceeds the multipliers this often …
+const OVERWEIGHT: f64 = 1e3;
+/// … but not more often than this in a run, which keeps it monotone in the end.
+const RELAXATIONS: usize = 4;
 /// Armijo's constant.
 const SUFFICIENT: f64 = 1e-4;
 /// Changes of the merit below this share of its size are rounding.
@@ -147,6 +152,7 @@ pub struct Sqp<C: Chain<NX, NU>, const NX: usize, const NU: usize> {
     /// Whether the last factor was of the unshifted Hessian.
     exact: bool,
     nudges: usize,
+    relaxations: usize,
     done: Option<Outcome>,
 }
 
@@ -167,6 +173,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Default for Sqp<C, NX, 
             shift: 0.0,
             exact: false,
             nudges: 0,
+            relaxations: 0,
             done: None,
         }
     }
@@ -193,6 +200,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         self.shift = 0.0;
         self.exact = false;
         self.nudges = 0;
+        self.relaxations = 0;
         self.done = None;
         self.point.evaluate(chain);
         if !self.point.cost.is_finite() {
@@ -340,12 +348,15 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         let mut outcome = self.try_factor(0.0);
         let mut before = 0.0;
         let bound = self.penalty(chain);
+        // The curvature to outweigh is that of λ ∇²g.
+        let most = self.multipliers.iter().fold(0.0_f64, |a, b| a.max(*b));
+        let weight = (most * chain.row_scale()).max(1.0);
         if self.multipliers.iter().any(|m| held(*m, bound)) {
             for stiffness in STIFFNESSES {
                 if outcome.is_ok() {
                     break;
                 }
-                let stiffness = stiffness / chain.row_scale().powi(2);
+                let stiffness = stiffness * weight / chain.row_scale().powi(2);
                 for (row, &multiplier) in self.point.rows.iter().zip(&self.multipliers) {
                     if held(multiplier, bound) {
                         self.hessian.stiffen(&self.point, row, stiffness - before);
@@ -428,6 +439,12 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         // Never above ν: the subproblem gives way to a saturated row at that
         // price, and its step would not lower a merit that asks for more.
         let bound = self.penalty(chain);
+        if self.merit_penalty > OVERWEIGHT * most && self.relaxations < RELAXATIONS {
+            // The rows have given way: a weight far above the multipliers
+            // would only make every step hug the obstacles' curvature.
+            self.relaxations += 1;
+            self.merit_penalty = 0.0;
+        }
         self.merit_penalty = self.merit_penalty.max(1.5 * most).min(bound);
         let slope = self.slope();
         let start = self.merit(&self.point);
