@@ -50,12 +50,18 @@ fn check(index: usize, case: &Value, solution: &Solution) {
             for axis in 0..2 {
                 let expected = number(&case[name][node][axis]);
                 let difference = (point[axis] * 1e3 - expected).abs();
-                assert!(difference < 1e-6, "case {index}, {name} {node}: {difference} mm");
+                assert!(
+                    difference < 1e-6,
+                    "case {index}, {name} {node}: {difference} mm"
+                );
             }
         }
     }
     let energy = number(&case["energy"]);
-    assert!((solution.energy - energy).abs() < 1e-9 * energy, "case {index}");
+    assert!(
+        (solution.energy - energy).abs() < 1e-9 * energy,
+        "case {index}"
+    );
     let pressing: Vec<_> = solution
         .contacts
         .iter()

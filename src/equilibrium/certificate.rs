@@ -241,8 +241,8 @@ impl Certifier {
             self.balance[i] += 2.0 * bend * after;
             self.diagonal[i - 1] += 2.0 * before * before.transpose()
                 + 2.0 * bend * between_disk(turn_curvature(below));
-            self.diagonal[i] += 2.0 * after * after.transpose()
-                - 2.0 * bend * between_disk(turn_curvature(above));
+            self.diagonal[i] +=
+                2.0 * after * after.transpose() - 2.0 * bend * between_disk(turn_curvature(above));
             self.across[i] += 2.0 * before * after.transpose();
         }
     }
@@ -401,10 +401,7 @@ impl Certifier {
             let beside = |unit: Vector, length: f64| {
                 (SMatrix::<f64, 2, 2>::identity() - unit * unit.transpose()) / length
             };
-            let links = split(
-                backbone * beside(b, b_length),
-                cable * beside(k, k_length),
-            );
+            let links = split(backbone * beside(b, b_length), cable * beside(k, k_length));
             self.diagonal[i] -= links + between_disk(disk * beside(w, w_length));
             self.diagonal[i - 1] -= links;
             self.across[i] += links;
@@ -478,7 +475,9 @@ impl Certifier {
             }
             let coupling = carried.tr_mul(&pushed) + across * free;
             let linked = across * carried;
-            value = self.diagonal[i - 1] + carried.tr_mul(&(value * carried)) + linked
+            value = self.diagonal[i - 1]
+                + carried.tr_mul(&(value * carried))
+                + linked
                 + linked.transpose()
                 - coupling * coupling.transpose() / pivot;
         }

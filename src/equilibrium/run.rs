@@ -20,8 +20,8 @@ use super::status::{Conflict, EndReason, Status};
 use crate::geometry::Obstacle;
 use crate::model::{PlanarNode, Problem, RowKind};
 use crate::solver::{
-    Chain, Control, Outcome, Progress as SolveProgress, RowId, Settings as SolveSettings,
-    Sqp, Tunnelling,
+    Chain, Control, Outcome, Progress as SolveProgress, RowId, Settings as SolveSettings, Sqp,
+    Tunnelling,
 };
 
 /// Limits of a run.
@@ -388,12 +388,8 @@ impl Run {
             ..SolveSettings::default()
         };
         self.started.clone_from(&self.anchor.controls);
-        self.sqp.start(
-            &self.now,
-            &self.started,
-            &self.anchor.multipliers,
-            settings,
-        );
+        self.sqp
+            .start(&self.now, &self.started, &self.anchor.multipliers, settings);
         self.predicted.clear();
     }
 
@@ -600,9 +596,10 @@ impl Run {
     fn farthest_node(&self) -> (usize, f64) {
         let pairs = self.anchor.nodes.iter().zip(&self.sqp.point().nodes);
         let distances = pairs.map(|(a, b)| (b.position - a.position).norm());
-        distances
-            .enumerate()
-            .fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most })
+        distances.enumerate().fold(
+            (0, 0.0),
+            |most, next| if next.1 > most.1 { next } else { most },
+        )
     }
 
     /// The rows whose multipliers are largest where the rows' violation is
@@ -650,9 +647,12 @@ impl Run {
     /// reason.
     fn end_of_branch(&self, reason: EndReason, locked: Option<usize>) -> Status {
         let turns = self.anchor.controls.iter().map(|control| control[0].abs());
-        let most = turns.enumerate().fold((0, 0.0), |most, next| {
-            if next.1 > most.1 { next } else { most }
-        });
+        let most = turns.enumerate().fold(
+            (0, 0.0),
+            |most, next| {
+                if next.1 > most.1 { next } else { most }
+            },
+        );
         Status::BranchEnded {
             reason: locked.map_or(reason, |_| EndReason::LinkageLimit),
             segment: locked.unwrap_or(most.0 + 1),

@@ -216,7 +216,10 @@ impl Solution {
         self.energy = self.bends.iter().map(|bend| bend * bend).sum();
         self.find_contacts(problem, point, multipliers);
         let offset = problem.robot().offset;
-        let points = point.nodes.iter().map(|node| (node.position, node.at(offset)));
+        let points = point
+            .nodes
+            .iter()
+            .map(|node| (node.position, node.at(offset)));
         self.certificate = self.certifier.certify(problem, points, &self.contacts);
     }
 

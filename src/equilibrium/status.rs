@@ -72,7 +72,14 @@ impl Status {
             Status::Infeasible { conflicts } => {
                 let list: Vec<String> = conflicts
                     .iter()
-                    .map(|c| format!("{} node {} on obstacle {}", c.line.name(), c.node, c.obstacle))
+                    .map(|c| {
+                        format!(
+                            "{} node {} on obstacle {}",
+                            c.line.name(),
+                            c.node,
+                            c.obstacle
+                        )
+                    })
                     .collect();
                 if list.is_empty() {
                     "the linkage's own limits conflict with each other".to_owned()

@@ -65,16 +65,20 @@ impl Obstacle {
                     curvature: 0.0,
                 }
             }
-            Core::Point => self.from_vertex(point - self.position(), Vector::x()),
-            Core::Vertices(_) => self.from_polygon(point),
+            Core::Point => self.near_vertex(point - self.position(), Vector::x()),
+            Core::Vertices(_) => self.near_polygon(point),
         }
     }
 
     /// The clearance where a core vertex is nearest, `away` from it; `instead`
     /// is the normal of a point exactly on the vertex.
-    fn from_vertex(&self, away: Vector, instead: Vector) -> PointClearance {
+    fn near_vertex(&self, away: Vector, instead: Vector) -> PointClearance {
         let to_core = away.norm();
-        let normal = if to_core > 0.0 { away / to_core } else { instead };
+        let normal = if to_core > 0.0 {
+            away / to_core
+        } else {
+            instead
+        };
         PointClearance {
             distance: to_core - self.radius,
             normal,
@@ -83,7 +87,7 @@ impl Obstacle {
         }
     }
 
-    fn from_edge(&self, edge: usize, height: f64) -> PointClearance {
+    fn near_edge(&self, edge: usize, height: f64) -> PointClearance {
         PointClearance {
             distance: height - self.radius,
             normal: self.normals[edge],
@@ -91,7 +95,7 @@ impl Obstacle {
         }
     }
 
-    fn from_polygon(&self, point: Vector) -> PointClearance {
+    fn near_polygon(&self, point: Vector) -> PointClearance {
         let height = |i: usize| self.normals[i].dot(&(point - self.vertices[i]));
         let mut highest = (0, height(0));
         for i in 1..self.vertices.len() {
@@ -101,7 +105,7 @@ impl Obstacle {
             }
         }
         if highest.1 <= 0.0 {
-            return self.from_edge(highest.0, highest.1);
+            return self.near_edge(highest.0, highest.1);
         }
         let mut nearest = (f64::INFINITY, 0, None);
         for i in 0..self.vertices.len() {
@@ -121,9 +125,9 @@ impl Obstacle {
         }
         match nearest.2 {
             Some(corner) => {
-                self.from_vertex(point - self.vertices[corner], self.normals[nearest.1])
+                self.near_vertex(point - self.vertices[corner], self.normals[nearest.1])
             }
-            None => self.from_edge(nearest.1, height(nearest.1)),
+            None => self.near_edge(nearest.1, height(nearest.1)),
         }
     }
 
@@ -195,13 +199,7 @@ impl EdgeClearance {
     /// With e the edge, t its direction, m the normal and δe = `end` −
     /// `start`: δ²d = −(m·δe/|e|) (2 t·δp + (d/|e|) m·δe), where δp is the
     /// displacement of the touching point and d the distance to the vertex.
-    pub fn second_derivative(
-        &self,
-        edge: Vector,
-        radius: f64,
-        start: Vector,
-        end: Vector,
-    ) -> f64 {
+    pub fn second_derivative(&self, edge: Vector, radius: f64, start: Vector, end: Vector) -> f64 {
         let length = edge.norm();
         let direction = edge / length;
         let turn = self.normal.dot(&(end - start)) / length;
@@ -289,15 +287,20 @@ mod tests {
             for i in 0..400 {
                 let angle = f64::from(i) * 0.7;
                 let radius = 0.02 + 0.0002 * f64::from(i);
-                let point = Vector::new(0.03, 0.08) + radius * Vector::new(angle.cos(), angle.sin());
+                let point =
+                    Vector::new(0.03, 0.08) + radius * Vector::new(angle.cos(), angle.sin());
                 let here = obstacle.clearance(point);
                 let tangent = perpendicular(here.normal);
                 let near = |step: Vector| obstacle.clearance(point + step);
                 let ends = [near(h * tangent), near(-h * tangent)];
-                if ends.iter().any(|end| (end.curvature == 0.0) != (here.curvature == 0.0)) {
+                if ends
+                    .iter()
+                    .any(|end| (end.curvature == 0.0) != (here.curvature == 0.0))
+                {
                     continue;
                 }
-                let slope = (near(h * here.normal).distance - near(-h * here.normal).distance) / (2.0 * h);
+                let slope =
+                    (near(h * here.normal).distance - near(-h * here.normal).distance) / (2.0 * h);
                 assert!((slope - 1.0).abs() < 1e-7, "{obstacle:?} {point:?}");
                 let turn = (ends[0].normal - ends[1].normal).dot(&tangent) / (2.0 * h);
                 assert!((turn - here.curvature).abs() < 1e-5 * (1.0 + here.curvature));
@@ -312,7 +315,8 @@ mod tests {
         for obstacle in shapes() {
             for i in 0..200 {
                 let angle = f64::from(i) * 0.37;
-                let middle = Vector::new(0.03, 0.08) + 0.035 * Vector::new(angle.cos(), angle.sin());
+                let middle =
+                    Vector::new(0.03, 0.08) + 0.035 * Vector::new(angle.cos(), angle.sin());
                 let turned = angle + 1.57 + 0.2 * (f64::from(i) * 1.3).sin();
                 let half = 0.02 * Vector::new(turned.cos(), turned.sin());
                 let (start, end) = (middle - half, middle + half);
@@ -336,7 +340,10 @@ mod tests {
                     assert!((slope - exact).abs() < 1e-4, "{slope} {exact}");
                     let bend = (a.distance - 2.0 * c.distance + b.distance) / (h * h);
                     let exact = c.second_derivative(end - start, obstacle.radius, ds, de);
-                    assert!((bend - exact).abs() < 1e-2 * (1.0 + exact.abs()), "{bend} {exact}");
+                    assert!(
+                        (bend - exact).abs() < 1e-2 * (1.0 + exact.abs()),
+                        "{bend} {exact}"
+                    );
                 }
             }
         }

@@ -206,7 +206,11 @@ impl Obstacle {
 
     /// A half-plane's outward normal.
     pub(super) fn wall_normal(&self) -> Vector {
-        from_parry(self.pose.rotation.transform_vector(parry2d_f64::math::Vector::X))
+        from_parry(
+            self.pose
+                .rotation
+                .transform_vector(parry2d_f64::math::Vector::X),
+        )
     }
 
     /// A point of the world in the obstacle's own frame.

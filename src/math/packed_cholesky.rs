@@ -37,12 +37,7 @@ impl PackedCholesky {
     /// new diagonal entry. Where the pivot's square does not exceed
     /// `least_pivot` the row depends on those present: nothing is changed and
     /// the pivot's square is returned as `Err`.
-    pub fn append(
-        &mut self,
-        column: &[f64],
-        diagonal: f64,
-        least_pivot: f64,
-    ) -> Result<f64, f64> {
+    pub fn append(&mut self, column: &[f64], diagonal: f64, least_pivot: f64) -> Result<f64, f64> {
         assert_eq!(column.len(), self.size, "one entry a row present");
         let begin = self.rows.len();
         self.rows.extend_from_slice(column);

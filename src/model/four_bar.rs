@@ -184,12 +184,7 @@ impl FourBar {
         };
         // (d, m) are turned by −β/2 from the lower disk: rotating by it, with
         // ′ of the rotation = −half1 times a quarter turn.
-        let turned = |d: f64, m: f64| {
-            Vector::new(
-                d * half_cosine + m * s,
-                m * half_cosine - d * s,
-            )
-        };
+        let turned = |d: f64, m: f64| Vector::new(d * half_cosine + m * s, m * half_cosine - d * s);
         let step = turned(t, b);
         let rate = turned(q, b1);
         let acceleration = turned(-t, b2);
@@ -269,8 +264,18 @@ mod tests {
                             "{what} order {order} at {turn}: {difference} {exact}"
                         );
                     };
-                    check(after.bend[order], before.bend[order], here.bend[order + 1], "bend");
-                    check(after.cost[order], before.cost[order], here.cost[order + 1], "cost");
+                    check(
+                        after.bend[order],
+                        before.bend[order],
+                        here.bend[order + 1],
+                        "bend",
+                    );
+                    check(
+                        after.cost[order],
+                        before.cost[order],
+                        here.cost[order + 1],
+                        "cost",
+                    );
                     for axis in 0..2 {
                         check(
                             after.step[order][axis],

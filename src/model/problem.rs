@@ -154,7 +154,12 @@ impl Problem {
     /// which resemble each other and this one. Allocates nothing.
     pub fn set_between(&mut self, a: &Self, b: &Self, t: f64) {
         self.set_pull((1.0 - t) * a.pull + t * b.pull);
-        for ((to, a), b) in self.obstacles.iter_mut().zip(&a.obstacles).zip(&b.obstacles) {
+        for ((to, a), b) in self
+            .obstacles
+            .iter_mut()
+            .zip(&a.obstacles)
+            .zip(&b.obstacles)
+        {
             to.set_between(a, b, t);
         }
     }
@@ -306,12 +311,7 @@ pub struct Place {
 impl Candidate {
     /// Where the candidate is nearest to an obstacle, for an edge to one of
     /// its vertices.
-    pub fn place(
-        &self,
-        nodes: &[PlanarNode],
-        obstacle: &Obstacle,
-        vertex: Option<usize>,
-    ) -> Place {
+    pub fn place(&self, nodes: &[PlanarNode], obstacle: &Obstacle, vertex: Option<usize>) -> Place {
         let (start, end) = self.ends(nodes);
         let mut place = Place {
             point: end,

@@ -120,7 +120,12 @@ pub(super) fn contact_rows(
         }
         obstacle.edge_clearances(start, end, |clearance| {
             if clearance.distance <= near {
-                rows.push(edge_row(candidate, id(Some(clearance.vertex)), nodes, clearance));
+                rows.push(edge_row(
+                    candidate,
+                    id(Some(clearance.vertex)),
+                    nodes,
+                    clearance,
+                ));
             }
         });
     }
@@ -154,10 +159,7 @@ fn edge_points<'a>(candidate: &Candidate, nodes: &'a [PlanarNode]) -> [DiskPoint
         Element::Point { lever } => [DiskPoint { node, lever }, DiskPoint { node, lever }],
         Element::Link { lever } => {
             let below = &nodes[candidate.node - 1];
-            [
-                DiskPoint { node: below, lever },
-                DiskPoint { node, lever },
-            ]
+            [DiskPoint { node: below, lever }, DiskPoint { node, lever }]
         }
         Element::Across { lever } => [
             DiskPoint {

@@ -120,12 +120,7 @@ pub trait Chain<const NX: usize, const NU: usize> {
 
     /// Puts into `rows` (emptied before) every row near or beyond its bound,
     /// in the order of their ids. `nodes` are n + 1, `controls` n.
-    fn rows(
-        &self,
-        nodes: &[Self::Node],
-        controls: &[Control<NU>],
-        rows: &mut Vec<Row<NX, NU>>,
-    );
+    fn rows(&self, nodes: &[Self::Node], controls: &[Control<NU>], rows: &mut Vec<Row<NX, NU>>);
 
     /// The second derivative of a row that [`Chain::rows`] gave for the same
     /// nodes.

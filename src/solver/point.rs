@@ -84,9 +84,6 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Point<C, NX, NU> {
 
     /// max(0, −g) over the rows, in their unit.
     pub fn worst_violation(&self) -> f64 {
-        self.rows
-            .iter()
-            .map(|row| -row.value)
-            .fold(0.0, f64::max)
+        self.rows.iter().map(|row| -row.value).fold(0.0, f64::max)
     }
 }

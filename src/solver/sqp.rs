@@ -313,7 +313,9 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     /// Whether some multiplier is at its bound, so that its row gives way.
     fn saturated(&self, chain: &C) -> bool {
         let bound = self.penalty(chain);
-        self.multipliers.iter().any(|m| *m > 0.0 && !held(*m, bound))
+        self.multipliers
+            .iter()
+            .any(|m| *m > 0.0 && !held(*m, bound))
     }
 
     /// First-order conditions hold: decides what the point is.
@@ -425,7 +427,9 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     fn place_trial(&mut self, amount: f64) {
         self.trial.controls.clear();
         let moved = self.point.controls.iter().zip(&self.set.du);
-        self.trial.controls.extend(moved.map(|(u, d)| u + amount * d));
+        self.trial
+            .controls
+            .extend(moved.map(|(u, d)| u + amount * d));
     }
 
     /// Σ L + μ Σ max(0, −g).

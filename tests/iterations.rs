@@ -1,0 +1,66 @@
+//! How much work the solves take, counted and not timed: a lost warm start or
+//! a Hessian that is no longer exact shows here. And what a warm solve
+//! allocates: nothing.
+
+use sinew::equilibrium::{Run, Settings, Start, Status, solve};
+use sinew::geometry::Vector;
+use sinew::model::Problem;
+use sinew::scene::Scene;
+
+fn problem(scene: &str, pull_mm: f64) -> Problem {
+    let mut scene = Scene::from_toml(scene).unwrap();
+    scene.actuation.pull_mm = pull_mm;
+    Problem::new(&scene).unwrap()
+}
+
+const TWO_DISCS: &str = include_str!("../assets/scenes/two-discs.toml");
+const ONE_DISC: &str = include_str!("../assets/scenes/one-disc.toml");
+const SHAPES: &str = include_str!("../assets/scenes/shapes.toml");
+const BODY: &str = include_str!("../assets/scenes/body-contact.toml");
+
+/// Iterations of a direct solve, of the way from straight, and of a small
+/// change of the pull.
+fn check(scene: &str, pull_mm: f64, expect: [usize; 3]) {
+    let goal = problem(scene, pull_mm);
+    let direct = solve(&goal, Start::Direct, Settings::default());
+    let mut run = Run::new(&goal, Start::Straight, Settings::default());
+    let path = run.finish().iterations;
+    run.retarget(&problem(scene, pull_mm + 0.05));
+    let warm = run.finish();
+    assert_eq!(warm.status, Status::Converged);
+    let found = [direct.iterations, path, warm.iterations];
+    for (found, expect) in found.iter().zip(expect) {
+        assert!(*found <= expect, "{found:?} of at most {expect:?}");
+    }
+}
+
+#[test]
+fn known_scenes_take_known_iterations() {
+    check(TWO_DISCS, 5.0, [4, 28, 5]);
+    check(TWO_DISCS, 12.0, [8, 160, 5]);
+    check(ONE_DISC, 6.0, [6, 32, 5]);
+    check(SHAPES, 6.0, [6, 32, 5]);
+    check(BODY, 4.9, [6, 32, 5]);
+}
+
+#[test]
+fn a_warm_solve_allocates_nothing() {
+    let near = problem(TWO_DISCS, 5.0);
+    let far = problem(TWO_DISCS, 5.05);
+    let mut moved = near.clone();
+    let disc = near.obstacles()[0].moved(Vector::new(-5e-4, 0.0));
+    moved.set_obstacle(0, disc);
+    let mut run = Run::new(&near, Start::Straight, Settings::default());
+    for goal in [&near, &far, &near, &moved, &near] {
+        run.retarget(goal);
+        run.finish();
+    }
+    let counted = allocation_counter::measure(|| {
+        for goal in [&far, &near, &moved, &near] {
+            run.retarget(goal);
+            run.finish();
+        }
+    });
+    assert_eq!(run.solution().status, Status::Converged);
+    assert_eq!(counted.count_total, 0);
+}
