@@ -1,5 +1,7 @@
 //! Live simulation of cable-driven continuum robots in contact.
 
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod geometry;
 pub mod math;
 pub mod equilibrium;
