@@ -570,3 +570,42 @@ fn a_reader_that_stops_early_is_no_fault() {
         );
     }
 }
+
+#[test]
+fn the_readme_shows_what_the_program_prints() {
+    let readme = include_str!("../README.md");
+    let report = check(&["solve", &asset("two-discs")], 0).out;
+    // Rounding and the number of iterations may differ from machine to machine.
+    let steady = report
+        .lines()
+        .filter(|line| !line.contains("residual") && !line.contains("iterations"));
+    for line in steady {
+        let shown = readme.lines().any(|other| other == line);
+        assert!(shown, "the README does not show {line:?}");
+    }
+}
+
+#[test]
+fn the_readme_names_every_key_of_a_scene() {
+    fn check_keys(schema: &Value, readme: &str) {
+        if let Some(properties) = schema["properties"].as_object() {
+            for (key, property) in properties {
+                assert!(readme.contains(key.as_str()), "the README lacks {key}");
+                check_keys(property, readme);
+            }
+        }
+        check_keys_of_items(&schema["items"], readme);
+    }
+    fn check_keys_of_items(items: &Value, readme: &str) {
+        if items.is_object() {
+            check_keys(items, readme);
+            let shapes = items["oneOf"].as_array();
+            shapes
+                .into_iter()
+                .flatten()
+                .for_each(|s| check_keys(s, readme));
+        }
+    }
+    let schema: Value = serde_json::from_str(&check(&["schema"], 0).out).unwrap();
+    check_keys(&schema, include_str!("../README.md"));
+}
