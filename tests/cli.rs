@@ -367,6 +367,21 @@ fn a_solve_that_ends_early_shows_its_last_good_state() {
 }
 
 #[test]
+fn obstacles_that_do_not_reach_their_place_are_told() {
+    // A ceiling 1 mm above the base. Without pull no segment bends, and each
+    // turns by at most π/2 − 0.01, so that the tip is at least 1.8 mm up.
+    let scene = "
+        version = 1
+        robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
+        actuation = { pull_mm = 1 }
+        obstacle = [{ shape = \"wall\", point_mm = [0, 1], rotation_deg = -90 }]
+    ";
+    let ran = check_with(&["solve", "-"], scene.as_bytes(), 3);
+    let words = "at pull 0 mm and with obstacles not yet in their place";
+    assert!(ran.err.contains(words), "{}", ran.err);
+}
+
+#[test]
 fn a_scene_may_come_from_standard_input() {
     let scene = fs::read(asset("free")).unwrap();
     let from_pipe = check_with(&["solve", "-"], &scene, 0).out;

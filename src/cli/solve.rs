@@ -103,14 +103,25 @@ fn finish(run: &mut Run, mut after_slice: impl FnMut(&Run)) {
     after_slice(run);
 }
 
-fn outcome(run: &Run, goal: &Problem) -> Outcome {
+fn outcome(run: &Run, problem: &Problem) -> Outcome {
     let solution = run.solution();
     if solution.status == Status::Converged {
         return Outcome::Done;
     }
-    let (goal, reached) = (pull_shown(goal.pull()), pull_shown(solution.pull));
+    let (goal, reached) = (pull_shown(problem.pull()), pull_shown(solution.pull));
+    // Obstacles over the straight robot move into place before any pull.
+    let pairs = run.problem().obstacles().iter().zip(problem.obstacles());
+    let far = pairs
+        .map(|(now, then)| now.change(then))
+        .fold(0.0, f64::max);
+    let not_there = if far > 1e-9 * problem.length() {
+        " and with obstacles not yet in their place"
+    } else {
+        ""
+    };
     Outcome::NotConverged(format!(
-        "not converged at pull {goal} mm: {}; the last good state, at pull {reached} mm, is printed",
+        "not converged at pull {goal} mm: {}; the last good state, at pull {reached} mm{not_there}, \
+         is printed",
         solution.status.reason()
     ))
 }

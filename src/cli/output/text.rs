@@ -164,7 +164,7 @@ pub(super) fn path_state(
         )?;
     }
     let ([x, y], slope) = state.tip();
-    let pressing = state.contacts.iter().filter(|c| c.multiplier > 0.0);
+    let pressing = state.contacts.iter().filter(|c| c.class == "pressing");
     let pressing: Vec<String> = pressing.map(place).collect();
     let pressing = if pressing.is_empty() {
         "-".to_owned()
