@@ -1,5 +1,96 @@
-//! Live simulation of cable-driven continuum robots in contact.
+//! Simulation of cable-driven continuum robots in contact with obstacles.
+//!
+//! This page is the architecture: what there is, where it is and what holds
+//! everywhere. For how to use it start at [`equilibrium`], or at the README for
+//! the program.
+//!
+//! # Bird's-eye view
+//!
+//! A continuum robot is an elastic backbone with disks; a cable beside it is
+//! drawn in and bends it. In the plane, cut into n segments, its shape is the
+//! one of least Σ bend² among all that keep every link's length and stay clear
+//! of the obstacles (eq. 5 of the paper that the README names). Sinew finds
+//! that shape, what the robot presses on and how hard, and proves it:
+//!
+//! ```text
+//! text ── scene ──▶ Scene ── model ──▶ Problem ── equilibrium ──▶ Solution
+//!                                         │                          │
+//!                        geometry: clearances of obstacles      Certificate
+//!                        solver: least cost along a chain
+//! ```
+//!
+//! A [`scene::Scene`] is what a file says and may be half-edited nonsense.
+//! [`model::Problem`] is made of it once and cannot be wrong. Each segment is a
+//! four-bar linkage with one degree of freedom, so all length constraints are
+//! eliminated exactly and only its turn is unknown; the [`solver`] minimises
+//! along the chain in time proportional to n. [`equilibrium`] follows the shape
+//! from the straight robot along the pull, as a real robot would get there, and
+//! certifies where it arrives in the paper's own coordinates.
+//!
+//! # Code map
+//!
+//! Each layer uses those above it in this list, and never one below it;
+//! [`solver`] and [`geometry`] do not know each other.
+//!
+//! - [`units`]: millimetres and degrees at the edge, SI inside.
+//! - [`math`]: small numerical tools that know nothing of robots.
+//! - [`solver`]: constrained minimisation along a chain of stages (SQP with an
+//!   active set on a Riccati recursion).
+//! - [`geometry`]: obstacles as outlines; clearances with exact derivatives.
+//! - [`scene`]: the scene file: its types, its checks, its schema.
+//! - [`model`]: the robot of eq. 4 and 5 as a chain, from a scene.
+//! - [`equilibrium`]: from a problem to a certified solution, step by step.
+//! - `cli`: the command line. Only with the feature `cli`, which is on by
+//!   default.
+//!
+//! # Invariants
+//!
+//! Mostly absences; `tests/layers.rs` holds the first four.
+//!
+//! - Imports lead downward only.
+//! - Below the command line there is no IO, no clock, no thread and no hash
+//!   order: the same scene gives the same answer, bit for bit, on every run.
+//! - Only [`geometry`] knows parry; the rest sees outlines and clearances.
+//! - [`solver`] knows no lengths, angles or obstacles.
+//! - Lengths are in metres and angles in radians. A name that carries a unit
+//!   (`length_mm`) is at the edge: scene files, messages, reports.
+//! - A faulty scene is a [`scene::SceneError`] that names the field, its value
+//!   and its range. How a solve ended is data, an [`equilibrium::Status`],
+//!   never an error.
+//! - Every converged solution holds an [`equilibrium::Certificate`] that was
+//!   recomputed from the shape alone, by code that shares nothing with the
+//!   solver but the obstacles' clearances.
+//! - No shape is reached by moving through an obstacle. Where a branch ends and
+//!   the robot goes over to another, an [`equilibrium::Event`] says so.
+//! - No `unsafe`, and no `unwrap` outside tests.
+//!
+//! # Notation
+//!
+//! Indices count from 0 at the base, the paper's from 1: its node 15 is 14.
+//!
+//! | paper | here | meaning |
+//! |---|---|---|
+//! | L_0 | [`model::Robot::length`] | length of the backbone |
+//! | n | [`model::Robot::segments`] | number of segments |
+//! | a | [`model::Robot::offset`] | cable offset, backbone to cable |
+//! | l | [`model::Problem::pull`] | pull, the length of cable drawn in |
+//! | l_0 | [`model::FourBar::backbone`] | a segment's backbone link, L_0/n |
+//! | l_a | [`model::FourBar::cable`] | a segment's cable link, l_0 − l/n |
+//! | x_0 | [`model::PlanarNode::position`] | a backbone point |
+//! | x_a | [`model::PlanarNode::at`] | a cable point, at the cable offset |
+//! | | [`model::PlanarNode::angle`] | φ, direction of a disk towards the cable |
+//! | f(x) | [`model::RowKind::Contact`] | clearance from an obstacle, ⪰ 0 |
+//! | (x_e, y_e, θ_e) | [`equilibrium::Solution::tip`] | the tip |
+//! | | [`equilibrium::Solution::bends`] | β, angle between neighbouring disks |
+//! | | [`equilibrium::Solution::shears`] | ψ, backbone link against disks |
+//! | | [`equilibrium::Solution::turns`] | τ, the one unknown of a segment |
+//! | | [`equilibrium::Solution::energy`] | J = Σ β², what is minimised |
+//! | | [`equilibrium::Contact::multiplier`] | λ, how J rises with the clearance asked for |
 
+#![warn(clippy::unwrap_used, clippy::expect_used)]
+
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod equilibrium;
 pub mod geometry;
 pub mod math;
@@ -7,3 +98,8 @@ pub mod model;
 pub mod scene;
 pub mod solver;
 pub mod units;
+
+/// The README's example, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -25,3 +25,8 @@ pub fn radians(degrees: f64) -> f64 {
 pub fn degrees(radians: f64) -> f64 {
     radians.to_degrees()
 }
+
+/// A quantity a millimetre from one a metre.
+pub fn per_millimetre(per_metre: f64) -> f64 {
+    per_metre * METRES_PER_MM
+}

@@ -84,7 +84,7 @@ fn rows_and_cost_have_exact_gradients() {
             RowKind::TurnLimit { .. } => kinds[2] += 1,
         }
         let gradient = here.row_gradient(row);
-        for index in 0..controls.len() {
+        for (index, exact) in gradient.iter().enumerate() {
             let value = |by: f64| {
                 let moved = at(&problem, &nudged(&controls, index, by));
                 moved.rows.iter().find(|r| r.id == row.id).map(|r| r.value)
@@ -93,7 +93,7 @@ fn rows_and_cost_have_exact_gradients() {
                 continue;
             };
             let slope = (after - before) / (2.0 * h);
-            let exact = gradient[index][0];
+            let exact = exact[0];
             assert!(
                 (slope - exact).abs() < 1e-8,
                 "{row:?} {index}: {slope} {exact}"

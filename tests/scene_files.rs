@@ -130,7 +130,7 @@ fn every_asset_is_fine() {
         assert_eq!(scene.faults(), [], "{}", path.display());
         assert!(scene.title.is_some(), "{}", path.display());
         assert_eq!(
-            Scene::from_toml(&scene.to_toml()),
+            Scene::from_toml(&scene.to_toml().unwrap()),
             Ok(scene),
             "{}",
             path.display()
@@ -145,7 +145,7 @@ fn what_is_written_is_read_back_the_same() {
     scene.robot.length_mm = 0.1 + 0.2 + 100.0;
     scene.actuation.pull_mm = f64::MIN_POSITIVE;
     scene.robot.base_mm = [-1e6, 1.0 / 3.0];
-    assert_eq!(Scene::from_toml(&scene.to_toml()), Ok(scene));
+    assert_eq!(Scene::from_toml(&scene.to_toml().unwrap()), Ok(scene));
 
     let mut half_edited = Scene::default();
     half_edited.robot.length_mm = f64::INFINITY;
@@ -156,7 +156,10 @@ fn what_is_written_is_read_back_the_same() {
         rotation_deg: 0.0,
         corner_radius_mm: 0.0,
     }));
-    assert_eq!(Scene::from_toml(&half_edited.to_toml()), Ok(half_edited));
+    assert_eq!(
+        Scene::from_toml(&half_edited.to_toml().unwrap()),
+        Ok(half_edited)
+    );
 }
 
 #[test]
@@ -179,7 +182,7 @@ fn the_largest_scene_allowed_can_be_read_back() {
         ..Scene::default()
     };
     assert_eq!(scene.check(), Ok(()));
-    assert_eq!(Scene::from_toml(&scene.to_toml()), Ok(scene));
+    assert_eq!(Scene::from_toml(&scene.to_toml().unwrap()), Ok(scene));
 }
 
 #[test]

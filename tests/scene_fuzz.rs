@@ -180,7 +180,7 @@ fn examine(bytes: &[u8]) -> Result<Outcome, TestCaseError> {
     };
     let faults = scene.faults();
     prop_assert_eq!(scene.check().err(), faults.first().cloned());
-    let written = scene.to_toml();
+    let written = scene.to_toml().unwrap();
     if !faults.is_empty() {
         prop_assert!(faults.iter().all(|fault| !fault.to_string().is_empty()));
         prop_assert!(Scene::from_toml(&written).is_ok(), "{written}");

@@ -97,6 +97,21 @@ pub enum SceneError {
         expected: String,
     },
 
+    /// A table whose keys and kinds of values were found fine and which is no
+    /// scene all the same.
+    #[error("the file does not describe a scene: {message}")]
+    NotAScene {
+        /// What is wrong.
+        message: String,
+    },
+
+    /// A scene that cannot be written as TOML.
+    #[error("the scene cannot be written as TOML: {message}")]
+    NotWritable {
+        /// What is in the way.
+        message: String,
+    },
+
     /// A number that is not one.
     #[error("{field} is nan, not a number; set it to a value {allowed}{}", spaced(.unit))]
     NotANumber {

@@ -20,10 +20,13 @@ impl Scene {
         refuse_large(text.len())?;
         let table: toml::Table = text.parse().map_err(|error| not_toml(text, &error))?;
         walk::scene(&table)?;
-        match table.try_into() {
-            Ok(scene) => Ok(scene),
-            Err(error) => unreachable!("the table of keys let pass what the types refuse: {error}"),
-        }
+        // The walk has named every fault that a hand can make; whatever it lets
+        // pass and the types refuse is told in serde's words.
+        table
+            .try_into()
+            .map_err(|error: toml::de::Error| SceneError::NotAScene {
+                message: error.message().to_owned(),
+            })
     }
 
     /// Like [`Scene::from_toml`], from the bytes of a file.
@@ -40,11 +43,14 @@ impl Scene {
 
     /// The scene as TOML; [`Scene::from_toml`] reads back the very same scene
     /// when it has no [`Scene::faults`].
-    pub fn to_toml(&self) -> String {
-        match toml::to_string(self) {
-            Ok(text) => text,
-            Err(error) => unreachable!("a scene holds nothing but what TOML can express: {error}"),
-        }
+    ///
+    /// # Errors
+    /// When TOML cannot express the scene. No scene is known for which that is
+    /// so, half-edited nonsense included.
+    pub fn to_toml(&self) -> Result<String, SceneError> {
+        toml::to_string(self).map_err(|error| SceneError::NotWritable {
+            message: error.to_string(),
+        })
     }
 }
 

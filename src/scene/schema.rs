@@ -206,12 +206,12 @@ mod tests {
     #[test]
     fn every_asset_and_the_full_scene_satisfy_the_schema() {
         check(FULL, true);
-        check(&Scene::default().to_toml(), true);
+        check(&Scene::default().to_toml().unwrap(), true);
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes");
         for entry in std::fs::read_dir(folder).unwrap() {
             let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
             check(&text, true);
-            check(&Scene::from_toml(&text).unwrap().to_toml(), true);
+            check(&Scene::from_toml(&text).unwrap().to_toml().unwrap(), true);
         }
     }
 

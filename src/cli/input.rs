@@ -1,0 +1,127 @@
+//! From a name on the command line to a problem, or to what is wrong with it.
+
+use std::fs::File;
+use std::io::{self, ErrorKind, Read};
+use std::path::Path;
+
+use anyhow::bail;
+
+use super::output::printable;
+use crate::model::Problem;
+use crate::scene::{MAX_FILE_BYTES, Scene, SceneError};
+
+/// What is wrong with what was asked for.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum BadInput {
+    /// There is no scene to be had.
+    #[error("{0:#}")]
+    Unreadable(#[from] anyhow::Error),
+    /// A scene with faults, at least one, and where it came from.
+    #[error("{origin} has {} faults", .faults.len())]
+    Faulty {
+        origin: String,
+        faults: Vec<SceneError>,
+    },
+    /// Arguments that contradict each other.
+    #[error("{0}")]
+    Arguments(&'static str),
+}
+
+impl BadInput {
+    /// What to tell, a line each.
+    pub fn complaints(&self) -> Vec<String> {
+        match self {
+            BadInput::Faulty { origin, faults } => faults
+                .iter()
+                .map(|fault| format!("{origin}: {fault}"))
+                .collect(),
+            _ => vec![self.to_string()],
+        }
+    }
+}
+
+/// The scene in a file and the problem it describes, its pull replaced where
+/// another one is given.
+pub(super) fn problem(path: &Path, pull_mm: Option<f64>) -> Result<(Scene, Problem), BadInput> {
+    let origin = origin(path);
+    let mut scene = bytes(path)
+        .and_then(|bytes| Ok(Scene::from_toml_bytes(&bytes)?))
+        .map_err(|error: anyhow::Error| error.context(origin.clone()))?;
+    if let Some(pull_mm) = pull_mm {
+        scene.actuation.pull_mm = pull_mm;
+    }
+    let mut faults = Problem::faults(&scene);
+    if faults.is_empty() {
+        match Problem::new(&scene) {
+            Ok(problem) => return Ok((scene, problem)),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if pull_mm.is_some() {
+        faults.iter_mut().for_each(name_the_option);
+    }
+    Err(BadInput::Faulty { origin, faults })
+}
+
+/// A fault of the pull given on the command line names that, not the file.
+fn name_the_option(fault: &mut SceneError) {
+    if let SceneError::NotANumber { field, .. } | SceneError::OutOfRange { field, .. } = fault
+        && field == "actuation.pull_mm"
+    {
+        "--pull".clone_into(field);
+    }
+}
+
+fn is_standard_input(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+fn origin(path: &Path) -> String {
+    if is_standard_input(path) {
+        "standard input".to_owned()
+    } else {
+        printable(&path.display().to_string())
+    }
+}
+
+fn bytes(path: &Path) -> anyhow::Result<Vec<u8>> {
+    if is_standard_input(path) {
+        return limited(io::stdin().lock());
+    }
+    let file = File::open(path).map_err(told)?;
+    let about = file.metadata().map_err(told)?;
+    if about.is_dir() {
+        bail!("this is a directory; a scene is a TOML text file");
+    }
+    // Before reading any of it. A pipe or a device has no length of its own.
+    match usize::try_from(about.len()) {
+        Ok(bytes) if bytes <= MAX_FILE_BYTES => limited(file),
+        Ok(bytes) => Err(SceneError::TooLarge { bytes }.into()),
+        Err(_) => Err(SceneError::TooLarge { bytes: usize::MAX }.into()),
+    }
+}
+
+/// Everything a reader gives, unless that is more than a scene can be.
+fn limited(reader: impl Read) -> anyhow::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    reader
+        .take(MAX_FILE_BYTES as u64 + 1)
+        .read_to_end(&mut bytes)
+        .map_err(told)?;
+    if bytes.len() > MAX_FILE_BYTES {
+        bail!("this has more than {MAX_FILE_BYTES} bytes, the most a scene has");
+    }
+    Ok(bytes)
+}
+
+/// The system's error in words.
+fn told(error: io::Error) -> anyhow::Error {
+    match error.kind() {
+        ErrorKind::NotFound => anyhow::anyhow!("there is no such file"),
+        ErrorKind::PermissionDenied => anyhow::anyhow!("you may not read this file"),
+        ErrorKind::IsADirectory => {
+            anyhow::anyhow!("this is a directory; a scene is a TOML text file")
+        }
+        _ => anyhow::Error::new(error).context("this cannot be read"),
+    }
+}

@@ -1,0 +1,130 @@
+//! Results as text, JSON or CSV. Each writer reads the one plain [`State`].
+
+mod csv;
+mod json;
+mod state;
+mod text;
+
+use std::io::{self, ErrorKind, Write};
+
+use super::arguments::Format;
+use crate::model::Problem;
+use crate::scene::Scene;
+use crate::scene::limits::shown;
+use crate::units::millimetres;
+
+pub(super) use state::State;
+
+/// What the numbers of a state are about, for whoever reads them as text.
+pub(super) struct Labels {
+    title: String,
+    /// The obstacles' names or, where they have none, their shapes.
+    obstacles: Vec<String>,
+    /// The pull asked for, in mm.
+    goal_mm: f64,
+}
+
+impl Labels {
+    /// The labels of a scene and of its problem.
+    pub fn of(scene: &Scene, problem: &Problem) -> Self {
+        let title = scene.title.as_deref().unwrap_or("Untitled scene");
+        let obstacles = scene.obstacles.iter().map(|obstacle| {
+            let name = obstacle.name.as_deref();
+            printable(name.unwrap_or(obstacle.shape.word()))
+        });
+        Self {
+            title: printable(title),
+            obstacles: obstacles.collect(),
+            goal_mm: millimetres(problem.pull()),
+        }
+    }
+}
+
+/// Where states go, in one of the formats.
+pub(super) struct Output<W> {
+    out: W,
+    format: Format,
+    labels: Labels,
+    /// States of the path written so far.
+    states: usize,
+}
+
+impl<W: Write> Output<W> {
+    /// An output that nothing is written to yet.
+    pub fn new(out: W, format: Format, labels: Labels) -> Self {
+        Self {
+            out,
+            format,
+            labels,
+            states: 0,
+        }
+    }
+
+    /// Writes the result of one solve.
+    pub fn solution(&mut self, state: &State) -> io::Result<()> {
+        match self.format {
+            Format::Text => text::solution(&mut self.out, &self.labels, state)?,
+            Format::Json => json::solution(&mut self.out, state)?,
+            Format::Csv => csv::solution(&mut self.out, state)?,
+        }
+        self.out.flush()
+    }
+
+    /// Writes one state of a path, at once.
+    pub fn path_state(&mut self, state: &State) -> io::Result<()> {
+        let index = self.states;
+        self.states += 1;
+        match self.format {
+            Format::Text => text::path_state(&mut self.out, &self.labels, index, state)?,
+            Format::Json => json::path_state(&mut self.out, index, state)?,
+            Format::Csv => csv::path_state(&mut self.out, index, state)?,
+        }
+        self.out.flush()
+    }
+
+    /// Writes what belongs after the last state of a path.
+    pub fn path_end(&mut self) -> io::Result<()> {
+        if self.format == Format::Json {
+            json::path_end(&mut self.out, self.states)?;
+        }
+        self.out.flush()
+    }
+}
+
+/// Whether anybody reads on.
+pub(super) enum Reader {
+    /// Yes, as far as is known.
+    Listening,
+    /// No: the pipe is closed, as by `head`. That is no fault.
+    Gone,
+}
+
+/// What became of writing. Everything but a closed pipe stays an error.
+pub(super) fn reader(written: io::Result<()>) -> io::Result<Reader> {
+    match written {
+        Ok(()) => Ok(Reader::Listening),
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(Reader::Gone),
+        Err(error) => Err(error),
+    }
+}
+
+/// A text from a file without what could move the cursor of a terminal.
+pub(super) fn printable(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for character in text.chars() {
+        if character.is_control() {
+            safe.extend(character.escape_default());
+        } else {
+            safe.push(character);
+        }
+    }
+    safe
+}
+
+/// A pull in metres as millimetres: to 0.1 µm, as near as a run finds the end
+/// of a branch, and a smaller one with all its digits.
+pub(super) fn pull_shown(pull: f64) -> String {
+    let pull_mm = millimetres(pull);
+    let grain = if pull_mm.abs() < 1.0 { 1e9 } else { 1e4 };
+    shown((pull_mm * grain).round() / grain + 0.0)
+}

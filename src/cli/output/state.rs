@@ -1,0 +1,275 @@
+//! A solution as it is printed: plain data in the units of files and reports,
+//! and the one place that says what its keys are called.
+
+use serde::Serialize;
+
+use crate::equilibrium::{
+    Certificate as Conditions, Contact as Touch, EndReason, Event as Happening, Occurrence, Run,
+};
+use crate::geometry::Vector;
+use crate::model::Line;
+use crate::units::{millimetres, per_millimetre};
+
+use super::super::timing::Timing;
+
+/// The version of the keys below.
+const SCHEMA: &str = "sinew-solution-1";
+
+/// A solution, in the order of its keys in JSON.
+#[derive(Serialize)]
+pub(in crate::cli) struct State {
+    pub schema: &'static str,
+    pub status: &'static str,
+    /// The status in a sentence.
+    pub reason: String,
+    pub pull_mm: f64,
+    /// Σ bend², rad².
+    pub energy: f64,
+    /// n + 1 points, base first.
+    pub backbone_mm: Vec<[f64; 2]>,
+    pub cable_mm: Vec<[f64; 2]>,
+    /// Of n segments, clockwise.
+    pub bends_rad: Vec<f64>,
+    pub shears_rad: Vec<f64>,
+    pub contacts: Vec<Contact>,
+    pub unique_split: bool,
+    pub certificate: Certificate,
+    pub events: Vec<Event>,
+    pub iterations: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub timing_us: Option<Timing>,
+}
+
+#[derive(Serialize)]
+pub(in crate::cli) struct Contact {
+    /// Index in the file, from 0.
+    pub obstacle: usize,
+    pub line: &'static str,
+    /// Index from 0 at the base.
+    pub node: usize,
+    pub class: &'static str,
+    /// In rad²/mm.
+    pub multiplier: f64,
+    pub normal: [f64; 2],
+    pub point_mm: [f64; 2],
+    pub clearance_mm: f64,
+    /// Which column of a table by node the contact belongs to.
+    #[serde(skip)]
+    pub side: Side,
+}
+
+/// One of the two lines a node has points on.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::cli) enum Side {
+    Backbone,
+    Cable,
+}
+
+#[derive(Serialize)]
+pub(in crate::cli) struct Certificate {
+    pub stationarity: f64,
+    pub links: f64,
+    pub penetration: f64,
+    pub complementarity: f64,
+    pub dual: f64,
+    pub residual: f64,
+    pub orientation: bool,
+    pub minimum: bool,
+    /// In rad²/mm.
+    pub energy_slope: f64,
+    pub holds: bool,
+}
+
+/// An event; keys that its kind does not have are left out.
+#[derive(Default, Serialize)]
+pub(in crate::cli) struct Event {
+    pub pull_mm: f64,
+    pub what: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub node: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub obstacle: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub distance_mm: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub segment: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub direction: Option<[f64; 2]>,
+}
+
+impl State {
+    /// The state a run is in; `None` where one of its numbers is not finite,
+    /// which only a failed solve can lead to.
+    pub fn of(run: &Run) -> Option<Self> {
+        let solution = run.solution();
+        let offset = run.problem().robot().offset;
+        let state = Self {
+            schema: SCHEMA,
+            status: solution.status.word(),
+            reason: solution.status.reason(),
+            pull_mm: mm(solution.pull),
+            energy: solution.energy,
+            backbone_mm: solution.backbone().map(point_mm).collect(),
+            cable_mm: solution.cable(offset).map(point_mm).collect(),
+            bends_rad: solution.bends.iter().map(|bend| unsigned(*bend)).collect(),
+            shears_rad: solution
+                .shears
+                .iter()
+                .map(|shear| unsigned(*shear))
+                .collect(),
+            contacts: solution.contacts.iter().map(contact).collect(),
+            unique_split: solution.unique_split,
+            certificate: certificate(&solution.certificate),
+            events: solution.events.iter().map(event).collect(),
+            iterations: solution.iterations,
+            timing_us: None,
+        };
+        state.is_finite().then_some(state)
+    }
+
+    /// The tip's place, in mm, and how far it points clockwise of the base, in
+    /// radians.
+    pub fn tip(&self) -> ([f64; 2], f64) {
+        let place = self.backbone_mm.last().copied().unwrap_or_default();
+        (place, self.bends_rad.iter().sum())
+    }
+
+    fn is_finite(&self) -> bool {
+        let points = self.backbone_mm.iter().chain(&self.cable_mm).flatten();
+        let angles = self.bends_rad.iter().chain(&self.shears_rad);
+        let contacts = self.contacts.iter().flat_map(|contact| {
+            let [x, y] = contact.point_mm;
+            let [u, v] = contact.normal;
+            [contact.multiplier, contact.clearance_mm, x, y, u, v]
+        });
+        let Certificate {
+            stationarity,
+            links,
+            penetration,
+            complementarity,
+            dual,
+            residual,
+            energy_slope,
+            ..
+        } = self.certificate;
+        let conditions = [
+            stationarity,
+            links,
+            penetration,
+            complementarity,
+            dual,
+            residual,
+            energy_slope,
+        ];
+        let events = self.events.iter().flat_map(|event| {
+            let [u, v] = event.direction.unwrap_or_default();
+            [event.pull_mm, event.distance_mm.unwrap_or_default(), u, v]
+        });
+        [self.pull_mm, self.energy]
+            .into_iter()
+            .chain(points.copied())
+            .chain(angles.copied())
+            .chain(contacts)
+            .chain(conditions)
+            .chain(events)
+            .all(f64::is_finite)
+    }
+}
+
+fn contact(touch: &Touch) -> Contact {
+    Contact {
+        obstacle: touch.obstacle,
+        line: touch.line.name(),
+        node: touch.node,
+        class: touch.class.word(),
+        multiplier: per_millimetre(touch.multiplier),
+        normal: pair(touch.normal),
+        point_mm: point_mm(touch.point),
+        clearance_mm: mm(touch.clearance),
+        side: match touch.line {
+            Line::Backbone | Line::BackboneLink | Line::RimFarSide | Line::Disk => Side::Backbone,
+            Line::Cable | Line::CableLink | Line::RimCableSide => Side::Cable,
+        },
+    }
+}
+
+fn certificate(conditions: &Conditions) -> Certificate {
+    Certificate {
+        stationarity: conditions.stationarity,
+        links: conditions.links,
+        penetration: conditions.penetration,
+        complementarity: conditions.complementarity,
+        dual: conditions.dual,
+        residual: conditions.residual(),
+        orientation: conditions.orientation,
+        minimum: conditions.minimum,
+        energy_slope: unsigned(per_millimetre(conditions.energy_slope)),
+        holds: conditions.holds(),
+    }
+}
+
+fn event(happening: &Happening) -> Event {
+    let mut event = Event {
+        pull_mm: mm(happening.pull),
+        what: happening.what.word(),
+        ..Event::default()
+    };
+    match happening.what {
+        Occurrence::PushedAside {
+            obstacle,
+            direction,
+        } => {
+            event.obstacle = Some(obstacle);
+            event.direction = Some(pair(direction));
+        }
+        Occurrence::ContactMade {
+            line,
+            node,
+            obstacle,
+        }
+        | Occurrence::ContactLost {
+            line,
+            node,
+            obstacle,
+        } => {
+            event.line = Some(line.name());
+            event.node = Some(node);
+            event.obstacle = Some(obstacle);
+        }
+        Occurrence::Jump { node, distance } => {
+            event.node = Some(node);
+            event.distance_mm = Some(mm(distance));
+        }
+        Occurrence::BranchEnded { reason, segment } => {
+            event.reason = Some(match reason {
+                EndReason::LinkageLimit => "linkage_limit",
+                EndReason::Fold => "fold",
+                EndReason::Blocked => "blocked",
+            });
+            event.segment = Some(segment);
+        }
+        Occurrence::StartRefused => {}
+    }
+    event
+}
+
+fn mm(metres: f64) -> f64 {
+    unsigned(millimetres(metres))
+}
+
+fn point_mm(point: Vector) -> [f64; 2] {
+    [mm(point.x), mm(point.y)]
+}
+
+fn pair(vector: Vector) -> [f64; 2] {
+    [unsigned(vector.x), unsigned(vector.y)]
+}
+
+/// The number itself, but for −0, which would print its sign.
+fn unsigned(number: f64) -> f64 {
+    number + 0.0
+}

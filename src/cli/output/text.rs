@@ -1,0 +1,262 @@
+//! States as a report for people, with as many digits as mean something.
+
+use std::io::{self, Write};
+
+use super::super::timing::Timing;
+use super::state::{Contact, Event, State};
+use super::{Labels, pull_shown};
+use crate::equilibrium::Certificate as Conditions;
+use crate::units::{degrees, metres};
+
+/// Contacts or events that are listed one by one.
+const LISTED: usize = 40;
+
+pub(super) fn solution(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()> {
+    let ([x, y], slope) = state.tip();
+    writeln!(out, "{}\n", labels.title)?;
+    writeln!(out, "  status       {}: {}", state.status, state.reason)?;
+    let pull = pull_shown(metres(state.pull_mm));
+    let goal = pull_shown(metres(labels.goal_mm));
+    if pull == goal {
+        writeln!(out, "  pull         {pull} mm")?;
+    } else {
+        writeln!(out, "  pull         {pull} mm of the {goal} mm asked for")?;
+    }
+    writeln!(out, "  tip          x {x:.2} mm, y {y:.2} mm")?;
+    let slope = plain(degrees(slope), 1);
+    writeln!(out, "  slope        {slope}° clockwise from the base")?;
+    let energy = figures(state.energy);
+    let rate = figures(state.certificate.energy_slope);
+    writeln!(
+        out,
+        "  energy       {energy} rad², changing by {rate} rad² per mm of pull"
+    )?;
+    certificate(out, state)?;
+    writeln!(out, "  iterations   {}", state.iterations)?;
+    contacts(out, labels, state)?;
+    events(out, labels, state)?;
+    state.timing_us.as_ref().map_or(Ok(()), |t| timing(out, t))
+}
+
+fn certificate(out: &mut impl Write, state: &State) -> io::Result<()> {
+    let certificate = &state.certificate;
+    let bound = Conditions::BOUND;
+    let verdict = if certificate.holds {
+        "holds"
+    } else {
+        "does not hold"
+    };
+    let minimum = if certificate.minimum {
+        "a strict minimum"
+    } else {
+        "no strict minimum"
+    };
+    let assembly = if certificate.orientation {
+        "no segment flipped"
+    } else {
+        "a segment flipped"
+    };
+    writeln!(
+        out,
+        "  certificate  {verdict}: residual {:.0e} (at most {bound:.0e}), {minimum}, {assembly}",
+        certificate.residual
+    )
+}
+
+fn contacts(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()> {
+    if state.contacts.is_empty() {
+        return writeln!(out, "\nNothing touches.");
+    }
+    writeln!(
+        out,
+        "\nContacts (nodes and obstacles count from 0, nodes from the base)\n"
+    )?;
+    let shown = &state.contacts[..state.contacts.len().min(LISTED)];
+    let names: Vec<String> = shown
+        .iter()
+        .map(|contact| obstacle(labels, contact.obstacle))
+        .collect();
+    let width = names.iter().map(|name| name.chars().count());
+    let width = width.max().unwrap_or(0).max("obstacle".len());
+    writeln!(
+        out,
+        "  {:<14}  {:>6}  {:<width$}  {:<8}  {:>10}  {:>8}  {:>8}",
+        "line", "node", "obstacle", "class", "multiplier", "x", "y"
+    )?;
+    writeln!(
+        out,
+        "  {:<14}  {:>6}  {:<width$}  {:<8}  {:>10}  {:>8}  {:>8}",
+        "", "", "", "", "rad²/mm", "mm", "mm"
+    )?;
+    for (contact, name) in shown.iter().zip(&names) {
+        let [x, y] = contact.point_mm;
+        writeln!(
+            out,
+            "  {:<14}  {:>6}  {name:<width$}  {:<8}  {:>10}  {x:>8.2}  {y:>8.2}",
+            line(contact.line),
+            contact.node,
+            contact.class,
+            figures(contact.multiplier),
+        )?;
+    }
+    and_more(out, state.contacts.len())?;
+    if !state.unique_split {
+        let note = "The split between the contacts is not unique; the sum at a node is.";
+        writeln!(out, "\n  {note}")?;
+    }
+    Ok(())
+}
+
+fn events(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()> {
+    if state.events.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\nOn the way, at the pull where it was first seen\n")?;
+    for event in state.events.iter().take(LISTED) {
+        writeln!(out, "  {:>8.3} mm  {}", event.pull_mm, told(labels, event))?;
+    }
+    and_more(out, state.events.len())
+}
+
+/// Says how many entries of a list are left out.
+fn and_more(out: &mut impl Write, count: usize) -> io::Result<()> {
+    match count.checked_sub(LISTED) {
+        None | Some(0) => Ok(()),
+        Some(more) => writeln!(out, "  … and {more} more, which --format json lists"),
+    }
+}
+
+fn timing(out: &mut impl Write, timing: &Timing) -> io::Result<()> {
+    writeln!(out, "\nTime of a solve, µs\n")?;
+    writeln!(out, "            median         p99  converged")?;
+    for (name, sample) in [
+        ("cold", &timing.cold),
+        ("path", &timing.path),
+        ("warm", &timing.warm),
+    ] {
+        let (median, p99) = (sample.median, sample.p99);
+        let converged = sample.converged;
+        writeln!(
+            out,
+            "  {name:<6}{median:>10.1}  {p99:>10.1}  {converged:>9}"
+        )?;
+    }
+    Ok(())
+}
+
+pub(super) fn path_state(
+    out: &mut impl Write,
+    labels: &Labels,
+    index: usize,
+    state: &State,
+) -> io::Result<()> {
+    if index == 0 {
+        writeln!(out, "{}\n", labels.title)?;
+        writeln!(
+            out,
+            "{:>9}  {:>8}  {:>8}  {:>7}  {:>10}  {:<28}  events",
+            "pull", "tip x", "tip y", "slope", "energy", "pressing (node on obstacle)"
+        )?;
+        writeln!(
+            out,
+            "{:>9}  {:>8}  {:>8}  {:>7}  {:>10}",
+            "mm", "mm", "mm", "deg", "rad²"
+        )?;
+    }
+    let ([x, y], slope) = state.tip();
+    let pressing = state.contacts.iter().filter(|c| c.class == "pressing");
+    let pressing: Vec<String> = pressing.map(place).collect();
+    let pressing = if pressing.is_empty() {
+        "-".to_owned()
+    } else {
+        pressing.join(", ")
+    };
+    let events = state.events.iter().map(|event| told(labels, event));
+    let text = format!(
+        "{:>9.3}  {x:>8.2}  {y:>8.2}  {:>7}  {:>10}  {pressing:<28}  {}",
+        state.pull_mm,
+        plain(degrees(slope), 1),
+        figures(state.energy),
+        events.collect::<Vec<_>>().join("; ")
+    );
+    writeln!(out, "{}", text.trim_end())
+}
+
+fn place(contact: &Contact) -> String {
+    let line = line(contact.line);
+    format!("{line} {} on {}", contact.node, contact.obstacle)
+}
+
+/// An event in words.
+fn told(labels: &Labels, event: &Event) -> String {
+    let what = event.what.replace('_', " ");
+    let on = event.obstacle.map(|index| obstacle(labels, index));
+    match (event.line, event.node, on, event.distance_mm) {
+        (Some(name), Some(node), Some(on), _) => {
+            format!("{what}: {} node {node} on obstacle {on}", line(name))
+        }
+        (_, _, Some(on), _) => {
+            let [x, y] = event.direction.unwrap_or_default();
+            format!("{what} by obstacle {on}, towards ({x:.2}, {y:.2})")
+        }
+        (_, Some(node), _, Some(distance)) => {
+            format!("{what}: node {node} moved by {distance:.2} mm")
+        }
+        _ => match (event.reason, event.segment) {
+            (Some(reason), Some(segment)) => {
+                format!("{what} at segment {segment}: {}", reason.replace('_', " "))
+            }
+            _ => what,
+        },
+    }
+}
+
+fn line(name: &str) -> String {
+    name.replace('_', " ")
+}
+
+fn obstacle(labels: &Labels, index: usize) -> String {
+    match labels.obstacles.get(index) {
+        Some(name) => format!("{index} {name}"),
+        None => index.to_string(),
+    }
+}
+
+/// A number with four figures that mean something, as a power of ten where it
+/// is very small or large.
+fn figures(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e4).contains(&size) {
+        let decimals = (3.0 - size.log10().floor()).clamp(0.0, 6.0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+/// A number with so many decimals, and no sign where it rounds to zero.
+fn plain(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.bytes().all(|byte| matches!(byte, b'0' | b'.')) => rest.to_owned(),
+        _ => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_the_digits_that_mean_something() {
+        assert_eq!(figures(0.0), "0");
+        assert_eq!(figures(0.020_843_21), "0.02084");
+        assert_eq!(figures(-12.345_6), "-12.35");
+        assert_eq!(figures(9_999.9), "10000");
+        assert_eq!(figures(1.234_1e-7), "1.234e-7");
+        assert_eq!(plain(-0.04, 1), "0.0");
+        assert_eq!(plain(-0.06, 1), "-0.1");
+    }
+}

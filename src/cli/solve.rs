@@ -1,0 +1,135 @@
+//! `sinew solve`: one solve, or a run along the pull, reported state by state.
+
+use std::io::{self, BufWriter, Write};
+
+use super::arguments::{Format, Solve};
+use super::input::{self, BadInput};
+use super::output::{Labels, Output, Reader, State, pull_shown, reader};
+use super::progress::Progress;
+use super::timing::Timing;
+use super::{Failure, Outcome};
+use crate::equilibrium::{self, Run, Settings, Start, Status};
+use crate::model::Problem;
+
+/// Steps of the progress bar of one solve.
+const RESOLUTION: u32 = 1000;
+/// Stages of the chain that a slice of a solve may go through, so that the bar
+/// moves: a few milliseconds.
+const SLICE: usize = 20_000;
+
+pub(super) fn run(what: &Solve) -> Result<Outcome, Failure> {
+    if what.repeat.is_some() && what.format == Format::Csv {
+        return Err(BadInput::Arguments(
+            "--repeat has no place in CSV; print text or JSON, or leave it out",
+        )
+        .into());
+    }
+    let (scene, problem) = input::problem(&what.scene, what.pull)?;
+    let out = BufWriter::new(io::stdout().lock());
+    let mut output = Output::new(out, what.format, Labels::of(&scene, &problem));
+    match what.path {
+        Some(steps) => path(&problem, steps, &mut output),
+        None => single(&problem, what.repeat, &mut output),
+    }
+}
+
+fn single<W: Write>(
+    problem: &Problem,
+    repeat: Option<u32>,
+    output: &mut Output<W>,
+) -> Result<Outcome, Failure> {
+    let mut run = Run::new(problem, Start::Straight, Settings::default());
+    let mut progress = Progress::new("solving", RESOLUTION);
+    // The run tells the pull it tries; what it tried before lies behind it.
+    let (mut behind, mut tried) = (0.0, 0.0);
+    finish(&mut run, |run| {
+        let share = run.problem().pull() / problem.pull();
+        if share > tried {
+            behind = tried;
+        }
+        tried = share;
+        progress.at((behind * f64::from(RESOLUTION)) as u32);
+    });
+    drop(progress);
+    let Some(mut state) = State::of(&run) else {
+        return Ok(not_finite(problem));
+    };
+    let outcome = outcome(&run, problem);
+    if let (Some(count), Outcome::Done) = (repeat, &outcome) {
+        state.timing_us = Some(Timing::measure(problem, count));
+    }
+    // Whoever stopped reading still gets the exit code.
+    reader(output.solution(&state))?;
+    Ok(outcome)
+}
+
+fn path<W: Write>(goal: &Problem, steps: u32, output: &mut Output<W>) -> Result<Outcome, Failure> {
+    let mut target = goal.clone();
+    target.set_pull(0.0);
+    let mut run = Run::new(&target, Start::Straight, Settings::default());
+    let mut progress = Progress::new("solving", steps);
+    let mut ended = Outcome::Done;
+    for step in 0..=steps {
+        if step > 0 {
+            let share = f64::from(step) / f64::from(steps);
+            target.set_pull(share * goal.pull());
+            run.retarget(&target);
+        }
+        finish(&mut run, |_| progress.at(step));
+        let Some(state) = State::of(&run) else {
+            ended = not_finite(&target);
+            break;
+        };
+        let told = progress.aside(|| reader(output.path_state(&state)))?;
+        ended = outcome(&run, &target);
+        if matches!(
+            (&ended, told),
+            (Outcome::NotConverged(_), _) | (_, Reader::Gone)
+        ) {
+            break;
+        }
+    }
+    drop(progress);
+    reader(output.path_end())?;
+    Ok(ended)
+}
+
+/// Runs to the end in slices, with a look at the run after each.
+fn finish(run: &mut Run, mut after_slice: impl FnMut(&Run)) {
+    let slice = (SLICE / run.problem().robot().segments).clamp(1, 1024);
+    while run.advance(slice) == equilibrium::Progress::Running {
+        after_slice(run);
+    }
+    after_slice(run);
+}
+
+fn outcome(run: &Run, problem: &Problem) -> Outcome {
+    let solution = run.solution();
+    if solution.status == Status::Converged {
+        return Outcome::Done;
+    }
+    let (goal, reached) = (pull_shown(problem.pull()), pull_shown(solution.pull));
+    // Obstacles over the straight robot move into place before any pull.
+    let pairs = run.problem().obstacles().iter().zip(problem.obstacles());
+    let far = pairs
+        .map(|(now, then)| now.change(then))
+        .fold(0.0, f64::max);
+    let not_there = if far > 1e-9 * problem.length() {
+        " and with obstacles not yet in their place"
+    } else {
+        ""
+    };
+    Outcome::NotConverged(format!(
+        "not converged at pull {goal} mm: {}; the last good state, at pull {reached} mm{not_there}, \
+         is printed",
+        solution.status.reason()
+    ))
+}
+
+fn not_finite(goal: &Problem) -> Outcome {
+    Outcome::NotConverged(format!(
+        "not converged at pull {} mm: the numbers of its shape are not finite, so that there is \
+         nothing to print",
+        pull_shown(goal.pull())
+    ))
+}

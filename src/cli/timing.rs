@@ -1,0 +1,140 @@
+//! How long a solve takes, from nothing, along the path and from nearby. Only
+//! the solving is timed: no reading, no printing, no start of the program.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+
+use super::progress::Progress;
+use crate::equilibrium::{Run, Settings, Solution, Start, Status, solve};
+use crate::model::Problem;
+use crate::units::metres;
+
+/// How far the pull moves between two warm solves, mm.
+const NUDGE_MM: f64 = 0.05;
+
+/// Times of the three kinds of solve, in microseconds.
+#[derive(Serialize)]
+pub(super) struct Timing {
+    /// Directly from the free shape: [`Start::Direct`].
+    pub cold: Sample,
+    /// Along the pull from the straight robot: [`Start::Straight`].
+    pub path: Sample,
+    /// From the same robot at a pull 0.05 mm away.
+    pub warm: Sample,
+}
+
+/// What a number of solves took, in microseconds.
+#[derive(Serialize)]
+pub(super) struct Sample {
+    /// Half of them took at most this long.
+    pub median: f64,
+    /// 99 % of them took at most this long.
+    pub p99: f64,
+    /// How many of them converged.
+    pub converged: u32,
+}
+
+impl Timing {
+    /// Solves a problem so many times in each of the three ways.
+    pub fn measure(problem: &Problem, count: u32) -> Self {
+        let settings = Settings::default();
+        let mut progress = Progress::new("timing", 3 * count);
+        let mut done = 0;
+        let mut next = || {
+            done += 1;
+            progress.at(done);
+        };
+
+        let mut cold = Samples::default();
+        let mut path = Samples::default();
+        for (start, samples) in [(Start::Direct, &mut cold), (Start::Straight, &mut path)] {
+            for _ in 0..count {
+                let begin = Instant::now();
+                let solution = solve(black_box(problem), start, settings);
+                samples.add(begin.elapsed(), &solution);
+                next();
+            }
+        }
+
+        let mut warm = Samples::default();
+        let mut run = Run::new(problem, Start::Straight, settings);
+        run.finish();
+        let nearby = nearby(problem);
+        for index in 0..count {
+            let target = if index % 2 == 0 { &nearby } else { problem };
+            let begin = Instant::now();
+            run.retarget(black_box(target));
+            let solution = run.finish();
+            let elapsed = begin.elapsed();
+            warm.add(elapsed, solution);
+            next();
+        }
+
+        Self {
+            cold: cold.sum_up(),
+            path: path.sum_up(),
+            warm: warm.sum_up(),
+        }
+    }
+}
+
+/// The problem at a pull a little further on or, where the linkages do not
+/// allow that, a little back.
+fn nearby(problem: &Problem) -> Problem {
+    let (_, most) = problem.robot().pull_range();
+    let further = problem.pull() + metres(NUDGE_MM);
+    let mut nearby = problem.clone();
+    nearby.set_pull(if further <= most {
+        further
+    } else {
+        problem.pull() - metres(NUDGE_MM)
+    });
+    nearby
+}
+
+#[derive(Default)]
+struct Samples {
+    times: Vec<Duration>,
+    converged: u32,
+}
+
+impl Samples {
+    fn add(&mut self, time: Duration, solution: &Solution) {
+        self.times.push(time);
+        self.converged += u32::from(solution.status == Status::Converged);
+    }
+
+    fn sum_up(mut self) -> Sample {
+        self.times.sort_unstable();
+        Sample {
+            median: self.quantile(0.5),
+            p99: self.quantile(0.99),
+            converged: self.converged,
+        }
+    }
+
+    /// The least time that a share of all times is not above, of sorted times.
+    fn quantile(&self, share: f64) -> f64 {
+        let rank = (share * self.times.len() as f64).ceil() as usize;
+        let time = self.times.get(rank.saturating_sub(1));
+        time.map_or(0.0, |time| time.as_secs_f64() * 1e6)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quantile_is_one_of_the_times() {
+        let samples = Samples {
+            times: (1..=200).map(Duration::from_micros).collect(),
+            converged: 200,
+        };
+        let sample = samples.sum_up();
+        assert!((sample.median - 100.0).abs() < 1e-9);
+        assert!((sample.p99 - 198.0).abs() < 1e-9);
+    }
+}

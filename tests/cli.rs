@@ -1,0 +1,626 @@
+//! The program as its users meet it: arguments and files in, reports, messages
+//! and exit codes out.
+
+use std::fs::{self, File};
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+/// What a run of the program left.
+struct Ran {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+fn sinew(args: &[&str], input: &[u8]) -> Ran {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_sinew"))
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // The program may end without reading all of it.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    let output = child.wait_with_output().unwrap();
+    Ran {
+        code: output.status.code().unwrap(),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+/// Runs the program and checks its exit code, and that results are on standard
+/// output where there are any and messages on standard error where there are.
+#[track_caller]
+fn check_with(args: &[&str], input: &[u8], code: i32) -> Ran {
+    let ran = sinew(args, input);
+    assert_eq!(ran.code, code, "{args:?}: {}", ran.err);
+    assert_eq!(ran.err.is_empty(), code == 0, "{args:?}: {}", ran.err);
+    assert_eq!(ran.out.is_empty(), code == 2, "{args:?}: {}", ran.out);
+    for text in ["NaN", "nan,", "inf,", "null", "panicked"] {
+        assert!(!ran.out.contains(text), "{args:?}: {text} in {}", ran.out);
+    }
+    assert!(!ran.err.contains("panicked"), "{args:?}: {}", ran.err);
+    ran
+}
+
+#[track_caller]
+fn check(args: &[&str], code: i32) -> Ran {
+    check_with(args, b"", code)
+}
+
+/// Checks that bad input is refused with this sentence and no other.
+#[track_caller]
+fn check_refused(args: &[&str], input: &[u8], sentence: &str) {
+    let ran = check_with(args, input, 2);
+    assert_eq!(ran.err, format!("error: {sentence}\n"), "{args:?}");
+}
+
+#[track_caller]
+fn json(args: &[&str], code: i32) -> Value {
+    serde_json::from_str(&check(args, code).out).unwrap()
+}
+
+fn asset(name: &str) -> String {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes");
+    format!("{folder}/{name}.toml")
+}
+
+/// A place for a file of one test.
+fn temporary(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cli-{name}"))
+}
+
+fn list(value: &Value) -> &[Value] {
+    value.as_array().unwrap()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap()
+}
+
+fn keys(value: &Value) -> Vec<&str> {
+    let mut keys: Vec<_> = value
+        .as_object()
+        .unwrap()
+        .keys()
+        .map(String::as_str)
+        .collect();
+    keys.sort_unstable();
+    keys
+}
+
+/// What holds of every state that is printed, whatever its status.
+#[track_caller]
+fn check_state(state: &Value, segments: usize) {
+    assert_eq!(state["schema"], "sinew-solution-1");
+    for (key, count) in [
+        ("backbone_mm", segments + 1),
+        ("cable_mm", segments + 1),
+        ("bends_rad", segments),
+        ("shears_rad", segments),
+    ] {
+        assert_eq!(list(&state[key]).len(), count, "{key}");
+    }
+    let energy: f64 = list(&state["bends_rad"])
+        .iter()
+        .map(|bend| number(bend).powi(2))
+        .sum();
+    assert!((energy - number(&state["energy"])).abs() <= 1e-12 * energy);
+    assert_eq!(
+        state["certificate"]["holds"], true,
+        "{}",
+        state["certificate"]
+    );
+    assert!(number(&state["certificate"]["residual"]) <= 1e-9);
+    for contact in list(&state["contacts"]) {
+        let normal = list(&contact["normal"]);
+        let length = number(&normal[0]).hypot(number(&normal[1]));
+        assert!((length - 1.0).abs() < 1e-12);
+        assert!((1..=segments as u64).contains(&contact["node"].as_u64().unwrap()));
+        let pressing = number(&contact["multiplier"]) > 0.0;
+        let class = if pressing { "pressing" } else { "grazing" };
+        assert_eq!(contact["class"], class);
+        assert!(number(&contact["clearance_mm"]).abs() < 1e-6);
+    }
+    for event in list(&state["events"]) {
+        let expected: &[&str] = match event["what"].as_str().unwrap() {
+            "contact_made" | "contact_lost" => &["line", "node", "obstacle", "pull_mm", "what"],
+            "jump" => &["distance_mm", "node", "pull_mm", "what"],
+            "branch_ended" => &["pull_mm", "reason", "segment", "what"],
+            "pushed_aside" => &["direction", "obstacle", "pull_mm", "what"],
+            other => panic!("unknown event {other}"),
+        };
+        assert_eq!(keys(event), expected);
+    }
+}
+
+#[test]
+fn json_of_two_discs_is_complete() {
+    let state = json(&["solve", &asset("two-discs"), "--format", "json"], 0);
+    check_state(&state, 18);
+    assert_eq!(
+        keys(&state),
+        [
+            "backbone_mm",
+            "bends_rad",
+            "cable_mm",
+            "certificate",
+            "contacts",
+            "energy",
+            "events",
+            "iterations",
+            "pull_mm",
+            "reason",
+            "schema",
+            "shears_rad",
+            "status",
+            "unique_split",
+        ]
+    );
+    assert_eq!(state["status"], "converged");
+    assert!((number(&state["pull_mm"]) - 4.9).abs() < 1e-12);
+    let contacts = list(&state["contacts"]);
+    for (contact, (obstacle, node)) in contacts.iter().zip([(0, 10), (1, 16)]) {
+        assert_eq!(
+            keys(contact),
+            [
+                "class",
+                "clearance_mm",
+                "line",
+                "multiplier",
+                "node",
+                "normal",
+                "obstacle",
+                "point_mm"
+            ]
+        );
+        assert_eq!(contact["obstacle"], obstacle);
+        assert_eq!(contact["node"], node);
+        assert_eq!(contact["line"], "cable");
+        assert_eq!(contact["class"], "pressing");
+        // The touching point is on the disc and, in `nodes` mode, the node.
+        let (center, radius) = [([33.0, 89.0], 12.5), ([59.0, 140.0], 15.0)][obstacle];
+        let point = list(&contact["point_mm"]);
+        let distance = (number(&point[0]) - center[0]).hypot(number(&point[1]) - center[1]);
+        assert!((distance - radius).abs() < 1e-9);
+        let cable = &state["cable_mm"][node];
+        assert!((number(&point[0]) - number(&cable[0])).abs() < 1e-9);
+    }
+    assert_eq!(contacts.len(), 2);
+    // The order of the keys is part of the format.
+    let text = check(&["solve", &asset("two-discs"), "--format", "json"], 0).out;
+    assert!(text.starts_with(r#"{"schema":"sinew-solution-1","status":"converged","reason":""#));
+}
+
+#[test]
+fn the_free_robot_is_an_arc() {
+    // β* = 2 asin(l / (2 n a)), the tip by summing up the segments.
+    for (pull, tip, slope) in [
+        ("5", [54.448, 168.515], 35.812),
+        ("10", [98.628, 136.665], 71.634),
+        ("-5", [-54.448, 168.515], -35.812),
+    ] {
+        let args = ["solve", &asset("free"), "--pull", pull, "--format", "json"];
+        let state = json(&args, 0);
+        check_state(&state, 18);
+        assert_eq!(number(&state["pull_mm"]).round().to_string(), pull);
+        let bends: f64 = list(&state["bends_rad"]).iter().map(number).sum();
+        assert!((bends.to_degrees() - slope).abs() < 5e-4, "{bends}");
+        let end = &state["backbone_mm"][18];
+        assert!((number(&end[0]) - tip[0]).abs() < 5e-4);
+        assert!((number(&end[1]) - tip[1]).abs() < 5e-4);
+        assert!(list(&state["contacts"]).is_empty());
+    }
+}
+
+#[test]
+fn every_asset_solves_in_every_format() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes");
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let path = path.to_str().unwrap();
+        check(&["check", path], 0);
+        check_state(&json(&["solve", path, "--format", "json"], 0), 18);
+        check(&["solve", path], 0);
+        let table = check(&["solve", path, "--format", "csv"], 0).out;
+        assert_eq!(table.lines().count(), 20);
+    }
+}
+
+#[test]
+fn the_text_report_says_what_presses_where() {
+    let report = check(&["solve", &asset("two-discs")], 0).out;
+    assert!(report.starts_with("Two discs (Fig. 4b)\n"), "{report}");
+    for words in [
+        "status converged: the shape is a certified equilibrium",
+        "pull 4.9 mm",
+        "tip x 50.87 mm, y 169.58 mm",
+        "slope 35.1° clockwise from the base",
+        "cable 10 0 lower pressing 2.359e-6 22.47 95.74",
+        "cable 16 1 upper pressing 2.878e-6 46.78 148.69",
+        "mm contact made: cable node 10 on obstacle 0 lower",
+    ] {
+        let found = report.lines().any(|line| {
+            let line = line.split_whitespace().collect::<Vec<_>>().join(" ");
+            line.contains(words)
+        });
+        assert!(found, "{words:?} is not in:\n{report}");
+    }
+    let free = check(&["solve", &asset("free")], 0).out;
+    assert!(free.ends_with("\nNothing touches.\n"), "{free}");
+}
+
+#[test]
+fn a_path_leads_from_no_pull_to_the_pull() {
+    let scene = asset("two-discs");
+    let path = json(&["solve", &scene, "--path", "7", "--format", "json"], 0);
+    assert_eq!(path["schema"], "sinew-path-1");
+    let states = list(&path["states"]);
+    assert_eq!(states.len(), 8);
+    for (index, state) in states.iter().enumerate() {
+        check_state(state, 18);
+        let expected = 4.9 * index as f64 / 7.0;
+        assert!((number(&state["pull_mm"]) - expected).abs() < 1e-12);
+    }
+    // However it is cut into pulls, the way leads to the same shape; its
+    // residual of 1e-9 leaves far less than 1e-6 mm.
+    let direct = json(&["solve", &scene, "--format", "json"], 0);
+    for node in 0..=18 {
+        for axis in 0..2 {
+            let [a, b] = [&states[7], &direct].map(|s| number(&s["backbone_mm"][node][axis]));
+            assert!((a - b).abs() < 1e-6, "node {node}: {a}, {b}");
+        }
+    }
+
+    let text = check(&["solve", &scene, "--path", "7"], 0).out;
+    assert_eq!(text.lines().count(), 4 + 8, "{text}");
+    let table = check(&["solve", &scene, "--path", "7", "--format", "csv"], 0).out;
+    assert_eq!(table.lines().count(), 1 + 8 * 19);
+    assert!(table.starts_with("pull_mm,node,backbone_x_mm,"));
+}
+
+#[test]
+fn csv_holds_the_numbers_of_json() {
+    let scene = asset("two-discs");
+    let state = json(&["solve", &scene, "--format", "json"], 0);
+    let table = check(&["solve", &scene, "--format", "csv"], 0).out;
+    let rows: Vec<Vec<&str>> = table.lines().map(|row| row.split(',').collect()).collect();
+    assert_eq!(
+        rows[0].join(","),
+        "node,backbone_x_mm,backbone_y_mm,cable_x_mm,cable_y_mm,bend_rad,shear_rad,\
+         backbone_multiplier_rad2_per_mm,cable_multiplier_rad2_per_mm"
+    );
+    assert_eq!(rows.len(), 20);
+    assert_eq!((rows[1][5], rows[1][6]), ("", ""));
+    // serde_json reads a number to its last bit but one.
+    let check = |node: usize, column: usize, expected: f64| {
+        let found: f64 = rows[node + 1][column].parse().unwrap();
+        assert!(
+            (found - expected).abs() <= 4e-16 * expected.abs(),
+            "{found}, {expected}"
+        );
+    };
+    for node in 0..=18 {
+        assert_eq!(rows[node + 1][0], node.to_string());
+        for axis in 0..2 {
+            check(node, 1 + axis, number(&state["backbone_mm"][node][axis]));
+            check(node, 3 + axis, number(&state["cable_mm"][node][axis]));
+        }
+        if node > 0 {
+            check(node, 5, number(&state["bends_rad"][node - 1]));
+            check(node, 6, number(&state["shears_rad"][node - 1]));
+        }
+        let contacts = list(&state["contacts"]).iter();
+        let here = contacts.filter(|contact| contact["node"] == node);
+        let sum: f64 = here.map(|contact| number(&contact["multiplier"])).sum();
+        check(node, 7, 0.0);
+        check(node, 8, sum);
+    }
+}
+
+#[test]
+fn repetition_times_three_kinds_of_solve() {
+    let scene = asset("two-discs");
+    let args = ["solve", &scene, "--repeat", "5", "--format", "json"];
+    let timing = &json(&args, 0)["timing_us"];
+    assert_eq!(keys(timing), ["cold", "path", "warm"]);
+    for kind in ["cold", "path", "warm"] {
+        let [median, p99] = ["median", "p99"].map(|key| number(&timing[kind][key]));
+        assert!(0.0 < median && median <= p99, "{kind}: {median}, {p99}");
+        assert_eq!(timing[kind]["converged"], 5);
+    }
+    let text = check(&["solve", &scene, "--repeat", "1"], 0).out;
+    assert!(text.contains("Time of a solve, µs"), "{text}");
+    // A pull at the end of its range has no room to be moved further.
+    let most = ["solve", &asset("free"), "--pull", "176.4", "--repeat", "2"];
+    check(&most, 0);
+}
+
+#[test]
+fn a_solve_that_ends_early_shows_its_last_good_state() {
+    let scene = asset("one-disc");
+    let args = ["solve", &scene, "--pull", "20", "--format", "json"];
+    let state = json(&args, 3);
+    check_state(&state, 18);
+    assert_eq!(state["status"], "branch_ended");
+    assert!(number(&state["pull_mm"]) < 20.0);
+    let last = list(&state["events"]).last().unwrap();
+    assert_eq!(last["what"], "branch_ended");
+
+    let ran = check(&args[..4], 3);
+    let message = "error: not converged at pull 20 mm: the branch ends at segment ";
+    assert!(ran.err.starts_with(message), "{}", ran.err);
+    assert_eq!(ran.err.lines().count(), 1);
+    assert!(ran.out.contains("mm of the 20 mm asked for"), "{}", ran.out);
+
+    let path = json(&[&args[..], &["--path", "20"]].concat(), 3);
+    let states = list(&path["states"]);
+    assert!(states.len() < 21);
+    let (last, before) = states.split_last().unwrap();
+    assert_eq!(last["status"], "branch_ended");
+    assert!(before.iter().all(|state| state["status"] == "converged"));
+}
+
+#[test]
+fn obstacles_that_do_not_reach_their_place_are_told() {
+    // A ceiling 1 mm above the base. Without pull no segment bends, and each
+    // turns by at most π/2 − 0.01, so that the tip is at least 1.8 mm up.
+    let scene = "
+        version = 1
+        robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
+        actuation = { pull_mm = 1 }
+        obstacle = [{ shape = \"wall\", point_mm = [0, 1], rotation_deg = -90 }]
+    ";
+    let ran = check_with(&["solve", "-"], scene.as_bytes(), 3);
+    let words = "at pull 0 mm and with obstacles not yet in their place";
+    assert!(ran.err.contains(words), "{}", ran.err);
+}
+
+#[test]
+fn a_scene_may_come_from_standard_input() {
+    let scene = fs::read(asset("free")).unwrap();
+    let from_pipe = check_with(&["solve", "-"], &scene, 0).out;
+    assert_eq!(from_pipe, check(&["solve", &asset("free")], 0).out);
+    check_with(&["check", "-"], &scene, 0);
+}
+
+#[test]
+fn what_cannot_be_read_is_told_in_one_line() {
+    let missing = temporary("missing.toml");
+    let missing = missing.to_str().unwrap();
+    let folder = env!("CARGO_TARGET_TMPDIR");
+    let huge = temporary("huge.toml");
+    File::create(&huge).unwrap().set_len(100 << 20).unwrap();
+    let huge_name = huge.to_str().unwrap();
+    for command in ["solve", "check"] {
+        check_refused(
+            &[command, missing],
+            b"",
+            &format!("{missing}: there is no such file"),
+        );
+        check_refused(
+            &[command, folder],
+            b"",
+            &format!("{folder}: this is a directory; a scene is a TOML text file"),
+        );
+        // Only who did not read the file knows its size.
+        check_refused(
+            &[command, huge_name],
+            b"",
+            &format!(
+                "{huge_name}: the file has 104857600 bytes; a scene has at most 4194304, so this \
+                 is not one"
+            ),
+        );
+        check_refused(
+            &[command, "-"],
+            b"",
+            "standard input: the scene is empty; it needs at least `version = 1`, a [robot] \
+             table and an [actuation] table",
+        );
+        check_refused(
+            &[command, "-"],
+            b"version\xff\x00",
+            "standard input: the file is not UTF-8 text (first at byte 7); a scene is a TOML \
+             text file",
+        );
+        check_refused(
+            &[command, "-"],
+            &vec![b'#'; 5 << 20],
+            "standard input: this has more than 4194304 bytes, the most a scene has",
+        );
+        check_refused(
+            &[command, "-"],
+            b"robot {",
+            "standard input: line 1, column 7 is not valid TOML: key with no value, expected `=`",
+        );
+    }
+    fs::remove_file(huge).unwrap();
+}
+
+#[cfg(unix)]
+#[test]
+fn an_endless_file_is_not_read_to_its_end() {
+    check_refused(
+        &["solve", "/dev/zero"],
+        b"",
+        "/dev/zero: this has more than 4194304 bytes, the most a scene has",
+    );
+}
+
+#[test]
+fn every_fault_of_a_scene_is_listed() {
+    let scene = fs::read_to_string(asset("two-discs")).unwrap();
+    let bad = scene
+        .replacen("length_mm = 180", "length_mm = -1", 1)
+        .replacen("radius_mm = 15", "radius_mm = nan", 1);
+    for command in ["check", "solve"] {
+        check_refused(
+            &[command, "-"],
+            bad.as_bytes(),
+            "standard input: robot.length_mm is -1 mm; set it to a value from 1 to 100000 mm\n\
+             error: standard input: obstacle[1].radius_mm is nan, not a number; set it to a \
+             value from 0.001 to 1000000 mm",
+        );
+    }
+    let over_base = scene.replacen("[33, 89]", "[4, 3]", 1);
+    check_refused(
+        &["check", "-"],
+        over_base.as_bytes(),
+        "standard input: obstacle[0] (lower) covers the robot's base, which cannot move; move or \
+         shrink it until it is clear of the first disk",
+    );
+    let typo = scene.replacen("pull_mm", "pul_mm", 1);
+    check_refused(
+        &["check", "-"],
+        typo.as_bytes(),
+        "standard input: actuation.pul_mm is not a key of a scene; did you mean `pull_mm`?",
+    );
+}
+
+#[test]
+fn a_pull_that_cannot_be_is_refused_like_one_in_the_file() {
+    let scene = asset("two-discs");
+    let any = "set it to a value from -100000 to 100000 mm";
+    let possible = "set it to a value for which the segments' linkages exist, from -286.9 to \
+                    176.4 mm";
+    for (pull, sentence) in [
+        ("nan", format!("--pull is nan, not a number; {any}")),
+        ("inf", format!("--pull is inf mm; {any}")),
+        ("-inf", format!("--pull is -inf mm; {any}")),
+        ("1e300", format!("--pull is 1e300 mm; {any}")),
+        ("176.5", format!("--pull is 176.5 mm; {possible}")),
+        ("-287", format!("--pull is -287 mm; {possible}")),
+    ] {
+        let sentence = format!("{scene}: {sentence}");
+        check_refused(&["solve", &scene, "--pull", pull], b"", &sentence);
+    }
+    // The file's own pull does not matter where another is given.
+    let text = fs::read_to_string(&scene).unwrap();
+    let absurd = text.replacen("pull_mm = 4.9", "pull_mm = 1e9", 1);
+    check_with(&["solve", "-", "--pull", "4.9"], absurd.as_bytes(), 0);
+}
+
+#[test]
+fn arguments_that_mean_nothing_are_refused() {
+    let scene = asset("free");
+    for more in [
+        &["--pull", "much"][..],
+        &["--format", "xml"],
+        &["--path", "0"],
+        &["--path", "-3"],
+        &["--path", "100001"],
+        &["--repeat", "0"],
+        &["--repeat", "1.5"],
+        &["--repeat", "2", "--path", "2"],
+        &["--repeat", "2", "--format", "csv"],
+        &["--loud"],
+        &["another.toml"],
+    ] {
+        check(&[&["solve", &scene], more].concat(), 2);
+    }
+    check(&["solve"], 2);
+    check(&["bake"], 2);
+}
+
+#[test]
+fn help_goes_where_it_belongs() {
+    let bare = check(&[], 2);
+    assert!(bare.err.contains("Usage: sinew <COMMAND>"), "{}", bare.err);
+    for args in [&["--help"][..], &["help"], &["solve", "--help"]] {
+        assert!(check(args, 0).out.contains("Examples:"));
+    }
+    let version = check(&["--version"], 0).out;
+    assert_eq!(version, concat!("sinew ", env!("CARGO_PKG_VERSION"), "\n"));
+}
+
+#[test]
+fn the_schema_is_json() {
+    let schema: Value = serde_json::from_str(&check(&["schema"], 0).out).unwrap();
+    assert_eq!(schema["title"], "Sinew scene");
+}
+
+#[test]
+fn control_characters_of_a_scene_do_not_reach_the_terminal() {
+    let scene = fs::read_to_string(asset("two-discs")).unwrap();
+    let tricky =
+        scene
+            .replacen("Two discs", "\\u001b[2J", 1)
+            .replacen("\"lower\"", "\"low\\ner\"", 1);
+    for command in ["solve", "check"] {
+        let text = check_with(&[command, "-"], tricky.as_bytes(), 0).out;
+        assert!(!text.contains('\u{1b}') && !text.contains("low\ner"));
+        assert!(text.contains("low\\ner"), "{text}");
+    }
+}
+
+#[test]
+fn a_reader_that_stops_early_is_no_fault() {
+    let scene = asset("two-discs");
+    for args in [
+        &["solve", &scene, "--path", "2000", "--format", "json"][..],
+        &["solve", &scene, "--path", "2000", "--format", "csv"],
+        &["solve", &scene, "--path", "2000"],
+    ] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_sinew"))
+            .args(args)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut out = child.stdout.take().unwrap();
+        out.read_exact(&mut [0; 20]).unwrap();
+        drop(out);
+        let left = child.wait_with_output().unwrap();
+        let err = String::from_utf8(left.stderr).unwrap();
+        assert_eq!(
+            (left.status.code(), err.as_str()),
+            (Some(0), ""),
+            "{args:?}"
+        );
+    }
+}
+
+#[test]
+fn the_readme_shows_what_the_program_prints() {
+    let readme = include_str!("../README.md");
+    let report = check(&["solve", &asset("two-discs")], 0).out;
+    // Rounding and the number of iterations may differ from machine to machine.
+    let steady = report
+        .lines()
+        .filter(|line| !line.contains("residual") && !line.contains("iterations"));
+    for line in steady {
+        let shown = readme.lines().any(|other| other == line);
+        assert!(shown, "the README does not show {line:?}");
+    }
+}
+
+#[test]
+fn the_readme_names_every_key_of_a_scene() {
+    fn check_keys(schema: &Value, readme: &str) {
+        if let Some(properties) = schema["properties"].as_object() {
+            for (key, property) in properties {
+                assert!(readme.contains(key.as_str()), "the README lacks {key}");
+                check_keys(property, readme);
+            }
+        }
+        check_keys_of_items(&schema["items"], readme);
+    }
+    fn check_keys_of_items(items: &Value, readme: &str) {
+        if items.is_object() {
+            check_keys(items, readme);
+            let shapes = items["oneOf"].as_array();
+            shapes
+                .into_iter()
+                .flatten()
+                .for_each(|s| check_keys(s, readme));
+        }
+    }
+    let schema: Value = serde_json::from_str(&check(&["schema"], 0).out).unwrap();
+    check_keys(&schema, include_str!("../README.md"));
+}
