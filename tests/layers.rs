@@ -47,13 +47,6 @@ const TOP_ONLY: &[&str] = &[
 /// Lines of a file in src.
 const LONGEST: usize = 500;
 
-/// Files that are longer and wait to be split. Nothing is added here.
-const LONGER: &[&str] = &[
-    "equilibrium/certificate.rs",
-    "equilibrium/run.rs",
-    "solver/sqp.rs",
-];
-
 struct Source {
     /// Below src, with forward slashes.
     path: String,
@@ -295,14 +288,7 @@ fn every_file_says_what_it_is_and_is_short() {
             "{path} opens with no sentence"
         );
         let lines = source.text.lines().count();
-        if LONGER.contains(&path.as_str()) {
-            assert!(
-                lines > LONGEST,
-                "{path} is short now: remove it from LONGER"
-            );
-        } else {
-            assert!(lines <= LONGEST, "{path} has {lines} lines: split it");
-        }
+        assert!(lines <= LONGEST, "{path} has {lines} lines: split it");
     }
 }
 

@@ -13,12 +13,16 @@
 //! solve finds an equilibrium from there, the robot has jumped, and the run
 //! goes on from it with an [`super::Event`]; if not, the run ends.
 
+mod ending;
+mod history;
+mod step;
+
 use super::approach;
 use super::event::{Event, Occurrence};
 use super::solution::Solution;
-use super::status::{Conflict, EndReason, Status};
+use super::status::{EndReason, Status};
 use crate::geometry::Obstacle;
-use crate::model::{PlanarNode, Problem, RowKind};
+use crate::model::{PlanarNode, Problem};
 use crate::solver::{
     Chain, Control, Outcome, Progress as SolveProgress, RowId, Settings as SolveSettings, Sqp,
     Tunnelling,
@@ -90,8 +94,17 @@ const EASY: usize = 4;
 #[derive(Clone, Debug, Default)]
 struct Anchor {
     controls: Vec<Control<1>>,
-    multipliers: Vec<(RowId, f64)>,
     nodes: Vec<PlanarNode>,
+    rows: Rows,
+}
+
+/// The rows of a shape on the branch, by id.
+#[derive(Clone, Debug, Default)]
+struct Rows {
+    /// λ of those that press.
+    multipliers: Vec<(RowId, f64)>,
+    /// Clearances of all that are near.
+    clearances: Vec<(RowId, f64)>,
 }
 
 /// What the next call of [`Run::advance`] does.
@@ -130,6 +143,10 @@ pub struct Run {
     most_step: f64,
     least_step: f64,
     anchor: Anchor,
+    /// The rows of the shape before the anchor on the same leg, and the share
+    /// of the leg at which it stood.
+    before: Rows,
+    before_at: Option<f64>,
     /// Where the first iteration of the step's solve led, at full length.
     predicted: Vec<Control<1>>,
     started: Vec<Control<1>>,
@@ -163,6 +180,8 @@ impl Run {
             most_step: 0.0,
             least_step: 0.0,
             anchor: Anchor::default(),
+            before: Rows::default(),
+            before_at: None,
             predicted: Vec::new(),
             started: Vec::new(),
             sqp: Sqp::default(),
@@ -326,7 +345,7 @@ impl Run {
             self.to.set_pull(pull);
         }
         // Names of rows count the obstacles.
-        self.anchor.multipliers.clear();
+        self.anchor.rows = Rows::default();
         self.begin_leg(!overlapping);
     }
 
@@ -335,6 +354,7 @@ impl Run {
         self.now.clone_from(&self.from);
         self.here.clone_from(&self.from);
         self.at = 0.0;
+        self.before_at = None;
         let length = self.goal.length();
         let pull = (self.to.pull() - self.from.pull()).abs();
         let obstacles = self.from.obstacles().iter().zip(self.to.obstacles());
@@ -353,77 +373,6 @@ impl Run {
 
     fn set_now(&mut self, at: f64) {
         self.now.set_between(&self.from, &self.to, at);
-    }
-
-    /// The share of the leg that the next step leads to.
-    fn target(&self) -> f64 {
-        let target = self.at + self.step;
-        // Rounding of repeated steps must not leave a last step of nothing.
-        if target > 1.0 - 1e-9 { 1.0 } else { target }
-    }
-
-    fn begin_step(&mut self) {
-        if self.iterations >= self.settings.iterations {
-            self.end(Status::IterationLimit);
-            return;
-        }
-        self.iterations += 1;
-        self.set_now(self.target());
-        if self.moving {
-            // The obstacles move first, past the robot as it stands.
-            self.here.set_between(&self.from, &self.to, self.at);
-            let nodes = &self.anchor.nodes;
-            if self.here.motion_passes(&self.now, nodes, nodes) {
-                self.shorten(EndReason::Blocked);
-                return;
-            }
-        }
-        self.phase = Phase::Solving;
-        let settings = SolveSettings {
-            iterations: if self.step > self.least_step {
-                STEP_ITERATIONS
-            } else {
-                LAST_ITERATIONS
-            },
-            ..SolveSettings::default()
-        };
-        self.started.clone_from(&self.anchor.controls);
-        self.sqp
-            .start(&self.now, &self.started, &self.anchor.multipliers, settings);
-        self.predicted.clear();
-    }
-
-    fn iterate_step(&mut self) {
-        let progress = self.sqp.step(&self.now);
-        self.iterations += 1;
-        if self.predicted.is_empty() {
-            self.predicted.clone_from(&self.sqp.point().controls);
-        }
-        let SolveProgress::Done(outcome) = progress else {
-            return;
-        };
-        let locked = self.locked_segment();
-        let follows = self.follows();
-        let last_try = self.step <= self.least_step;
-        if outcome == Outcome::Converged && locked.is_none() && (follows || last_try) {
-            self.accept(follows);
-            return;
-        }
-        if !last_try {
-            self.shorten(EndReason::Fold);
-            return;
-        }
-        let status = match outcome {
-            Outcome::Converged => self.end_of_branch(EndReason::LinkageLimit, locked),
-            Outcome::Infeasible => Status::Infeasible {
-                conflicts: self.conflicts(),
-            },
-            Outcome::Blocked => self.end_of_branch(EndReason::Blocked, locked),
-            Outcome::Saddle | Outcome::Stalled => self.end_of_branch(EndReason::Fold, locked),
-            Outcome::IterationLimit => Status::IterationLimit,
-            Outcome::OutsideDomain => Status::NumericalFailure,
-        };
-        self.end(status);
     }
 
     fn iterate_direct(&mut self) {
@@ -451,212 +400,20 @@ impl Run {
         }
     }
 
-    /// Whether the step's end is on the branch the anchor is on: its first
-    /// iteration, the tangent, explains most of it.
-    fn follows(&self) -> bool {
-        let end = &self.sqp.point().controls;
-        let turned = farthest(&self.started, end);
-        let predicted = farthest(&self.started, &self.predicted);
-        let rest = farthest(&self.predicted, end);
-        turned <= MOST_TURNED && rest <= UNPREDICTED * predicted + UNNOTICED
-    }
-
-    fn shorten(&mut self, reason: EndReason) {
-        self.phase = Phase::Between;
-        if self.step <= self.least_step {
-            let status = self.end_of_branch(reason, None);
-            self.end(status);
-        } else {
-            self.step = (0.5 * self.step).max(self.least_step);
-        }
-    }
-
-    /// Takes the step; one that does not follow the branch is a jump.
-    fn accept(&mut self, follows: bool) {
-        if !follows {
-            let (node, distance) = self.farthest_node();
-            self.note(Occurrence::Jump { node, distance });
-        }
-        self.note_contacts();
-        let easy = self.sqp.trace().len() <= EASY + 1;
-        self.take_anchor();
-        self.at = self.target();
-        if !follows || easy {
-            self.step = (2.0 * self.step).min(self.most_step);
-        }
-        self.phase = Phase::Between;
-        if self.at == 1.0 {
-            if self.last_leg {
-                self.keep_trace();
-                self.fill(Status::Converged);
-            } else {
-                self.from.clone_from(&self.to);
-                self.to.clone_from(&self.goal);
-                self.begin_leg(true);
-            }
-        }
-    }
-
-    /// Ends short of the goal with the last equilibrium, and the trace of the
-    /// solve that did not lead on.
-    fn end(&mut self, status: Status) {
-        if let Status::BranchEnded { reason, segment } = status {
-            self.note(Occurrence::BranchEnded { reason, segment });
-        }
-        self.keep_trace();
-        self.set_now(self.at);
-        let (controls, multipliers) = (&self.anchor.controls, &self.anchor.multipliers);
-        let settings = SolveSettings::default();
-        self.sqp.start(&self.now, controls, multipliers, settings);
-        self.fill(status);
-    }
-
-    fn keep_trace(&mut self) {
-        self.solution.trace.clear();
-        self.solution.trace.extend_from_slice(self.sqp.trace());
-    }
-
-    fn fill(&mut self, status: Status) {
-        self.solution
-            .fill(&self.now, self.sqp.point(), self.sqp.multipliers());
-        let certified = self.solution.certificate.holds();
-        self.solution.status = match status {
-            Status::Converged if !certified => Status::NumericalFailure,
-            status => status,
-        };
-        self.solution.iterations = self.iterations;
-        self.phase = Phase::Done;
-    }
-
     fn take_anchor(&mut self) {
         let point = self.sqp.point();
         self.anchor.controls.clone_from(&point.controls);
         self.anchor.nodes.clone_from(&point.nodes);
-        self.anchor.multipliers.clear();
+        let Rows {
+            multipliers,
+            clearances,
+        } = &mut self.anchor.rows;
+        multipliers.clear();
+        clearances.clear();
+        clearances.extend(point.rows.iter().map(|row| (row.id, row.value)));
         let rows = point.rows.iter().zip(self.sqp.multipliers());
         let active = rows.filter(|(_, multiplier)| **multiplier > 0.0);
-        self.anchor
-            .multipliers
-            .extend(active.map(|(row, multiplier)| (row.id, *multiplier)));
-    }
-
-    fn note(&mut self, what: Occurrence) {
-        self.solution.events.push(Event {
-            pull: self.now.pull(),
-            what,
-        });
-    }
-
-    /// Notes which contacts the step made and lost.
-    fn note_contacts(&mut self) {
-        let count = self.now.obstacles().len();
-        let rows = self.sqp.point().rows.iter().zip(self.sqp.multipliers());
-        let mut old = self.anchor.multipliers.iter().map(|(id, _)| *id).peekable();
-        let pull = self.now.pull();
-        let events = &mut self.solution.events;
-        let candidates = self.now.candidates();
-        let mut push = |id: RowId, made: bool| {
-            if let RowKind::Contact {
-                candidate,
-                obstacle,
-                ..
-            } = RowKind::of(id, count)
-            {
-                let (line, node) = (candidates[candidate].line, candidates[candidate].node);
-                let what = if made {
-                    Occurrence::ContactMade {
-                        line,
-                        node,
-                        obstacle,
-                    }
-                } else {
-                    Occurrence::ContactLost {
-                        line,
-                        node,
-                        obstacle,
-                    }
-                };
-                events.push(Event { pull, what });
-            }
-        };
-        for (row, multiplier) in rows {
-            if *multiplier > 0.0 {
-                while let Some(id) = old.next_if(|id| *id < row.id) {
-                    push(id, false);
-                }
-                if old.next_if_eq(&row.id).is_none() {
-                    push(row.id, true);
-                }
-            }
-        }
-        old.for_each(|id| push(id, false));
-    }
-
-    /// The node that the step moved farthest, and how far.
-    fn farthest_node(&self) -> (usize, f64) {
-        let pairs = self.anchor.nodes.iter().zip(&self.sqp.point().nodes);
-        let distances = pairs.map(|(a, b)| (b.position - a.position).norm());
-        distances.enumerate().fold(
-            (0, 0.0),
-            |most, next| if next.1 > most.1 { next } else { most },
-        )
-    }
-
-    /// The rows whose multipliers are largest where the rows' violation is
-    /// stationary: those within a thousandth of the bound.
-    fn conflicts(&self) -> Vec<Conflict> {
-        let count = self.now.obstacles().len();
-        let multipliers = self.sqp.multipliers();
-        let most = multipliers.iter().fold(0.0_f64, |a, b| a.max(*b));
-        let rows = self.sqp.point().rows.iter().zip(multipliers);
-        let mut conflicts: Vec<Conflict> = rows
-            .filter(|(_, multiplier)| **multiplier > 1e-3 * most)
-            .filter_map(|(row, _)| match RowKind::of(row.id, count) {
-                RowKind::Contact {
-                    candidate,
-                    obstacle,
-                    ..
-                } => {
-                    let candidate = &self.now.candidates()[candidate];
-                    Some(Conflict {
-                        line: candidate.line,
-                        node: candidate.node,
-                        obstacle,
-                    })
-                }
-                RowKind::TurnLimit { .. } => None,
-            })
-            .collect();
-        conflicts.dedup();
-        conflicts
-    }
-
-    /// The segment that the solve left pressing against the limit of its
-    /// linkage. Eq. 5 knows no such limit: a shape that needs it is none of
-    /// its equilibria.
-    fn locked_segment(&self) -> Option<usize> {
-        let count = self.now.obstacles().len();
-        let mut rows = self.sqp.point().rows.iter().zip(self.sqp.multipliers());
-        rows.find_map(|(row, multiplier)| match RowKind::of(row.id, count) {
-            RowKind::TurnLimit { segment, .. } if *multiplier > 0.0 => Some(segment),
-            _ => None,
-        })
-    }
-
-    /// The end of the branch at the anchor: where a segment locks, that is the
-    /// reason.
-    fn end_of_branch(&self, reason: EndReason, locked: Option<usize>) -> Status {
-        let turns = self.anchor.controls.iter().map(|control| control[0].abs());
-        let most = turns.enumerate().fold(
-            (0, 0.0),
-            |most, next| {
-                if next.1 > most.1 { next } else { most }
-            },
-        );
-        Status::BranchEnded {
-            reason: locked.map_or(reason, |_| EndReason::LinkageLimit),
-            segment: locked.unwrap_or(most.0 + 1),
-        }
+        multipliers.extend(active.map(|(row, multiplier)| (row.id, *multiplier)));
     }
 }
 

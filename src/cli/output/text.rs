@@ -111,7 +111,7 @@ fn events(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()
     if state.events.is_empty() {
         return Ok(());
     }
-    writeln!(out, "\nOn the way, at the pull where it was first seen\n")?;
+    writeln!(out, "\nOn the way\n")?;
     for event in state.events.iter().take(LISTED) {
         writeln!(out, "  {:>8.3} mm  {}", event.pull_mm, told(labels, event))?;
     }

@@ -1,0 +1,134 @@
+//! One step along the branch: its solve, and whether to take it.
+
+use super::{
+    EASY, LAST_ITERATIONS, MOST_TURNED, Phase, Run, STEP_ITERATIONS, UNNOTICED, UNPREDICTED,
+    farthest,
+};
+use crate::equilibrium::event::Occurrence;
+use crate::equilibrium::status::{EndReason, Status};
+use crate::solver::{Outcome, Progress, Settings};
+
+impl Run {
+    /// The share of the leg that the next step leads to.
+    pub(super) fn target(&self) -> f64 {
+        let target = self.at + self.step;
+        // Rounding of repeated steps must not leave a last step of nothing.
+        if target > 1.0 - 1e-9 { 1.0 } else { target }
+    }
+
+    pub(super) fn begin_step(&mut self) {
+        if self.iterations >= self.settings.iterations {
+            self.end(Status::IterationLimit);
+            return;
+        }
+        self.iterations += 1;
+        self.set_now(self.target());
+        if self.moving {
+            // The obstacles move first, past the robot as it stands.
+            self.here.set_between(&self.from, &self.to, self.at);
+            let nodes = &self.anchor.nodes;
+            if self.here.motion_passes(&self.now, nodes, nodes) {
+                self.shorten(EndReason::Blocked);
+                return;
+            }
+        }
+        self.phase = Phase::Solving;
+        let settings = Settings {
+            iterations: if self.step > self.least_step {
+                STEP_ITERATIONS
+            } else {
+                LAST_ITERATIONS
+            },
+            ..Settings::default()
+        };
+        self.started.clone_from(&self.anchor.controls);
+        self.sqp.start(
+            &self.now,
+            &self.started,
+            &self.anchor.rows.multipliers,
+            settings,
+        );
+        self.predicted.clear();
+    }
+
+    pub(super) fn iterate_step(&mut self) {
+        let progress = self.sqp.step(&self.now);
+        self.iterations += 1;
+        if self.predicted.is_empty() {
+            self.predicted.clone_from(&self.sqp.point().controls);
+        }
+        let Progress::Done(outcome) = progress else {
+            return;
+        };
+        let locked = self.locked_segment();
+        let follows = self.follows();
+        let last_try = self.step <= self.least_step;
+        if outcome == Outcome::Converged && locked.is_none() && (follows || last_try) {
+            self.accept(follows);
+            return;
+        }
+        if !last_try {
+            self.shorten(EndReason::Fold);
+            return;
+        }
+        let status = match outcome {
+            Outcome::Converged => self.end_of_branch(EndReason::LinkageLimit, locked),
+            Outcome::Infeasible => Status::Infeasible {
+                conflicts: self.conflicts(),
+            },
+            Outcome::Blocked => self.end_of_branch(EndReason::Blocked, locked),
+            Outcome::Saddle | Outcome::Stalled => self.end_of_branch(EndReason::Fold, locked),
+            Outcome::IterationLimit => Status::IterationLimit,
+            Outcome::OutsideDomain => Status::NumericalFailure,
+        };
+        self.end(status);
+    }
+
+    /// Whether the step's end is on the branch the anchor is on: its first
+    /// iteration, the tangent, explains most of it.
+    pub(super) fn follows(&self) -> bool {
+        let end = &self.sqp.point().controls;
+        let turned = farthest(&self.started, end);
+        let predicted = farthest(&self.started, &self.predicted);
+        let rest = farthest(&self.predicted, end);
+        turned <= MOST_TURNED && rest <= UNPREDICTED * predicted + UNNOTICED
+    }
+
+    pub(super) fn shorten(&mut self, reason: EndReason) {
+        self.phase = Phase::Between;
+        if self.step <= self.least_step {
+            let status = self.end_of_branch(reason, None);
+            self.end(status);
+        } else {
+            self.step = (0.5 * self.step).max(self.least_step);
+        }
+    }
+
+    /// Takes the step; one that does not follow the branch is a jump.
+    pub(super) fn accept(&mut self, follows: bool) {
+        if !follows {
+            let (node, distance) = self.farthest_node();
+            self.note(Occurrence::Jump { node, distance });
+        }
+        self.note_contacts();
+        let easy = self.sqp.trace().len() <= EASY + 1;
+        std::mem::swap(&mut self.before, &mut self.anchor.rows);
+        self.before_at = follows.then_some(self.at);
+        self.take_anchor();
+        self.at = self.target();
+        if !follows || easy {
+            self.step = (2.0 * self.step).min(self.most_step);
+        }
+        self.phase = Phase::Between;
+        if self.at == 1.0 {
+            if self.last_leg {
+                self.keep_trace();
+                self.fill(Status::Converged);
+            } else {
+                self.from.clone_from(&self.to);
+                self.to.clone_from(&self.goal);
+                self.begin_leg(true);
+            }
+        }
+    }
+}

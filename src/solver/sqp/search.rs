@@ -1,0 +1,133 @@
+//! The line search: how far to go along the subproblem's step.
+
+use super::{
+    OVERWEIGHT, Outcome, Progress, RELAXATIONS, ROUNDING, SUFFICIENT, Sqp, Tunnelling, longest,
+};
+use crate::solver::chain::Chain;
+use crate::solver::point::Point;
+
+impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
+    pub(super) fn place_trial(&mut self, amount: f64) {
+        self.trial.controls.clear();
+        let moved = self.point.controls.iter().zip(&self.set.du);
+        self.trial
+            .controls
+            .extend(moved.map(|(u, d)| u + amount * d));
+    }
+
+    /// Σ L + μ Σ max(0, −g).
+    pub(super) fn merit(&self, point: &Point<C, NX, NU>) -> f64 {
+        point.cost + self.merit_penalty * point.total_violation()
+    }
+
+    /// Looks for an acceptable point along the subproblem's step.
+    pub(super) fn search(&mut self, chain: &C) -> Progress {
+        let most = self.set.multipliers.iter().fold(0.0_f64, |a, b| a.max(*b));
+        // Never above ν: the subproblem gives way to a saturated row at that
+        // price, and its step would not lower a merit that asks for more.
+        let bound = self.penalty(chain);
+        if self.merit_penalty > OVERWEIGHT * most && self.relaxations < RELAXATIONS {
+            // The rows have given way: a weight far above the multipliers
+            // would only make every step hug the obstacles' curvature.
+            self.relaxations += 1;
+            self.merit_penalty = 0.0;
+        }
+        self.merit_penalty = self.merit_penalty.max(1.5 * most).min(bound);
+        let slope = self.slope();
+        let start = self.merit(&self.point);
+        let size = self.point.cost.abs() + self.point.stages.len() as f64;
+        let slack = ROUNDING * (size + self.merit_penalty * chain.row_scale());
+        let longest = longest(&self.set.du);
+        let mut amount = (chain.longest_step() / longest).min(1.0);
+        let mut corrected = amount < 1.0;
+        let mut blocked = false;
+        while amount * longest > 1e-14 || amount == 1.0 {
+            self.place_trial(amount);
+            self.trial.evaluate(chain);
+            let merit = self.merit(&self.trial);
+            let enough = start + SUFFICIENT * amount * slope + slack;
+            if merit.is_finite() && merit <= enough {
+                if self.clear(chain) {
+                    return self.take(amount * longest);
+                }
+                blocked = true;
+            } else if !corrected && self.trial.cost.is_finite() {
+                corrected = true;
+                if self.correct(chain, enough) {
+                    return self.take(amount * longest);
+                }
+            }
+            amount *= 0.5;
+        }
+        self.retry_or_stall(blocked)
+    }
+
+    /// The merit's slope along the full step, negative unless stationary.
+    pub(super) fn slope(&self) -> f64 {
+        let gradient = self.point.stages.iter().zip(&self.set.du);
+        let cost: f64 = gradient.map(|(s, d)| s.cost_gradient.dot(d)).sum();
+        let mut violation = 0.0;
+        for row in &self.point.rows {
+            let after = row.value + row.change(&self.set.du, &self.set.dz);
+            violation += (-after).max(0.0) - (-row.value).max(0.0);
+        }
+        (cost + self.merit_penalty * violation).min(0.0)
+    }
+
+    pub(super) fn clear(&self, chain: &C) -> bool {
+        self.settings.tunnelling == Tunnelling::Allowed
+            || !chain.passes_through(&self.point.nodes, &self.trial.nodes)
+    }
+
+    /// Tries the full step with its second-order correction, from the rows'
+    /// values after the full step; leaves the uncorrected step otherwise.
+    pub(super) fn correct(&mut self, chain: &C, enough: f64) -> bool {
+        let after = &self.trial.rows;
+        let before = &self.point.rows;
+        self.set.correct(&mut self.riccati, &self.point, |row| {
+            let id = before[row].id;
+            after
+                .binary_search_by_key(&id, |row| row.id)
+                .map_or(0.0, |found| after[found].value)
+        });
+        self.place_trial(1.0);
+        self.trial.evaluate(chain);
+        let merit = self.merit(&self.trial);
+        if merit.is_finite() && merit <= enough && self.clear(chain) {
+            return true;
+        }
+        self.set.uncorrect(&mut self.riccati, &self.point);
+        false
+    }
+
+    /// Makes the trial the point.
+    pub(super) fn take(&mut self, step: f64) -> Progress {
+        if let Some(last) = self.trace.last_mut() {
+            last.step = step;
+        }
+        std::mem::swap(&mut self.multipliers, &mut self.set.multipliers);
+        self.name_multipliers();
+        self.accept();
+        Progress::Running
+    }
+
+    pub(super) fn accept(&mut self) {
+        std::mem::swap(&mut self.point, &mut self.trial);
+        self.recall_multipliers();
+    }
+
+    /// No step was acceptable: a shifted Hessian gets one more chance.
+    pub(super) fn retry_or_stall(&mut self, blocked: bool) -> Progress {
+        if let Some(last) = self.trace.last()
+            && last.shift < 1e6
+        {
+            self.shift = (100.0 * last.shift).max(1.0);
+            return Progress::Running;
+        }
+        self.end(if blocked {
+            Outcome::Blocked
+        } else {
+            Outcome::Stalled
+        })
+    }
+}
