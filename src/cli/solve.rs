@@ -40,15 +40,8 @@ fn single<W: Write>(
 ) -> Result<Outcome, Failure> {
     let mut run = Run::new(problem, Start::Straight, Settings::default());
     let mut progress = Progress::new("solving", RESOLUTION);
-    // The run tells the pull it tries; what it tried before lies behind it.
-    let (mut behind, mut tried) = (0.0, 0.0);
     finish(&mut run, |run| {
-        let share = run.problem().pull() / problem.pull();
-        if share > tried {
-            behind = tried;
-        }
-        tried = share;
-        progress.at((behind * f64::from(RESOLUTION)) as u32);
+        progress.at((run.share() * f64::from(RESOLUTION)) as u32);
     });
     drop(progress);
     let Some(mut state) = State::of(&run) else {
@@ -109,15 +102,10 @@ fn outcome(run: &Run, problem: &Problem) -> Outcome {
         return Outcome::Done;
     }
     let (goal, reached) = (pull_shown(problem.pull()), pull_shown(solution.pull));
-    // Obstacles over the straight robot move into place before any pull.
-    let pairs = run.problem().obstacles().iter().zip(problem.obstacles());
-    let far = pairs
-        .map(|(now, then)| now.change(then))
-        .fold(0.0, f64::max);
-    let not_there = if far > 1e-9 * problem.length() {
-        " and with obstacles not yet in their place"
-    } else {
+    let not_there = if run.obstacles_are_placed() {
         ""
+    } else {
+        " and with obstacles not yet in their place"
     };
     Outcome::NotConverged(format!(
         "not converged at pull {goal} mm: {}; the last good state, at pull {reached} mm{not_there}, \

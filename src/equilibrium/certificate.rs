@@ -21,6 +21,7 @@ mod contacts;
 
 use super::solution::Contact;
 use crate::geometry::{Vector, cross, perpendicular};
+use crate::math::greatest;
 use crate::model::{Element, Problem};
 use nalgebra::{SMatrix, SVector};
 
@@ -66,13 +67,16 @@ impl Certificate {
     /// last step leaves about 1e-13; 1e-9 leaves room for n = 10⁴ segments.
     pub const BOUND: f64 = 1e-9;
 
-    /// The greatest of the residuals.
+    /// The greatest of the residuals; NaN where one is.
     pub fn residual(&self) -> f64 {
-        self.stationarity
-            .max(self.links)
-            .max(self.penetration)
-            .max(self.complementarity)
-            .max(self.dual)
+        [
+            self.links,
+            self.penetration,
+            self.complementarity,
+            self.dual,
+        ]
+        .into_iter()
+        .fold(self.stationarity, greatest)
     }
 
     /// Whether the shape is an equilibrium that a robot can rest in.
@@ -132,9 +136,9 @@ impl Certifier {
         let most = contacts.iter().map(|c| c.multiplier).fold(0.0, f64::max);
         for contact in contacts {
             let share = contact.multiplier / most.max(f64::MIN_POSITIVE);
-            certificate.dual = certificate.dual.max(-share);
+            certificate.dual = greatest(certificate.dual, -share);
             let gap = share * contact.clearance / length;
-            certificate.complementarity = certificate.complementarity.max(gap.abs());
+            certificate.complementarity = greatest(certificate.complementarity, gap.abs());
         }
         self.add_energy();
         self.add_contacts(problem, contacts);
@@ -156,10 +160,12 @@ impl Certifier {
             let backbone = (self.backbone[i] - self.backbone[i - 1]).norm();
             let cable = (self.cable[i] - self.cable[i - 1]).norm();
             let disk = (self.cable[i] - self.backbone[i]).norm();
-            worst = worst
-                .max((backbone - segment.backbone()).abs())
-                .max((cable - segment.cable()).abs())
-                .max((disk - segment.offset()).abs());
+            let errors = [
+                backbone - segment.backbone(),
+                cable - segment.cable(),
+                disk - segment.offset(),
+            ];
+            worst = errors.iter().map(|error| error.abs()).fold(worst, greatest);
         }
         worst
     }
@@ -191,11 +197,11 @@ impl Certifier {
                     None => {
                         if !obstacle.is_beyond(start, candidate.radius) {
                             let distance = obstacle.clearance(start).distance;
-                            deepest = deepest.max(candidate.radius - distance);
+                            deepest = greatest(deepest, candidate.radius - distance);
                         }
                     }
                     Some(end) => obstacle.edge_clearances(start, end, |clearance| {
-                        deepest = deepest.max(candidate.radius - clearance.distance);
+                        deepest = greatest(deepest, candidate.radius - clearance.distance);
                     }),
                 }
             }
@@ -269,7 +275,7 @@ impl Certifier {
             let (alpha, gamma) = (w.dot(&across_k), w.dot(&across_b));
             let size = (alpha * alpha + gamma * gamma).sqrt();
             let free = pair(alpha / size * across_b, gamma / size * across_k);
-            worst = worst.max(self.balance[i].dot(&free).abs());
+            worst = greatest(worst, self.balance[i].dot(&free).abs());
             let left = self.balance[i];
             let on_backbone = Vector::new(left[0], left[1]);
             let on_cable = Vector::new(left[2], left[3]);

@@ -135,6 +135,8 @@ pub struct Run {
     goal: Problem,
     /// Whether obstacles move on the present leg.
     moving: bool,
+    /// Whether the run began by growing obstacles.
+    grown_first: bool,
     /// Whether the present leg ends at the goal.
     last_leg: bool,
     /// Share of the present leg done, and the next step's share.
@@ -174,6 +176,7 @@ impl Run {
             here: problem.clone(),
             goal: problem.clone(),
             moving: false,
+            grown_first: false,
             last_leg: true,
             at: 0.0,
             step: 0.0,
@@ -211,6 +214,7 @@ impl Run {
         if self.now.resembles(problem) {
             self.from.clone_from(&self.now);
             self.to.clone_from(&self.goal);
+            self.grown_first = false;
             self.begin_leg(true);
         } else if self.now.robot() == problem.robot()
             && self.now.candidates() == problem.candidates()
@@ -259,6 +263,24 @@ impl Run {
     /// last one on the way to it that has an equilibrium.
     pub fn problem(&self) -> &Problem {
         &self.now
+    }
+
+    /// How far the run has got, from 0 to 1. Growing obstacles that overlap the
+    /// robot counts as the first half.
+    pub fn share(&self) -> f64 {
+        let legs = if self.grown_first { 2.0 } else { 1.0 };
+        let before = if self.grown_first && self.last_leg {
+            1.0
+        } else {
+            0.0
+        };
+        (before + self.at) / legs
+    }
+
+    /// Whether the obstacles are where the goal has them. They are not while
+    /// those over the robot still grow, nor before the end of a drag.
+    pub fn obstacles_are_placed(&self) -> bool {
+        !self.moving || self.at == 1.0
     }
 
     fn start_straight(&mut self) {
@@ -346,6 +368,7 @@ impl Run {
         }
         // Names of rows count the obstacles.
         self.anchor.rows = Rows::default();
+        self.grown_first = overlapping;
         self.begin_leg(!overlapping);
     }
 

@@ -40,6 +40,17 @@ pub enum EndReason {
     Blocked,
 }
 
+impl EndReason {
+    /// The reason in one word, as in JSON output.
+    pub fn word(self) -> &'static str {
+        match self {
+            EndReason::LinkageLimit => "linkage_limit",
+            EndReason::Fold => "fold",
+            EndReason::Blocked => "blocked",
+        }
+    }
+}
+
 /// A contact that takes part in a conflict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Conflict {

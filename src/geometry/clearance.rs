@@ -104,7 +104,8 @@ impl Obstacle {
                 highest = (i, height);
             }
         }
-        if highest.1 <= 0.0 {
+        // A segment has no inside: a point on its line is beyond neither side.
+        if highest.1 <= 0.0 && self.vertices.len() > 2 {
             return self.near_edge(highest.0, highest.1);
         }
         let mut nearest = (f64::INFINITY, 0, None);
@@ -276,6 +277,22 @@ mod tests {
         check(1.3, 0.9, 0.25, 2.0);
         check(0.0, 0.4, -0.35, 0.0);
         check(0.95, 0.0, -0.3, 0.0);
+    }
+
+    #[test]
+    fn a_point_on_a_capsules_axis_is_as_far_as_its_end() {
+        let capsule = Obstacle::new(Core::segment(0.05), 0.006, Vector::zeros(), 0.0);
+        let check = |x: f64, y: f64, distance: f64, normal: [f64; 2]| {
+            let clearance = capsule.clearance(Vector::new(x, y));
+            assert!((clearance.distance - distance).abs() < 1e-16, "{clearance:?}");
+            assert!((clearance.normal - Vector::from(normal)).norm() < 1e-12);
+        };
+        check(0.2, 0.0, 0.169, [1.0, 0.0]);
+        check(-0.031, 0.0, 0.0, [-1.0, 0.0]);
+        check(0.01, 0.01, 0.004, [0.0, 1.0]);
+        check(0.01, -0.01, 0.004, [0.0, -1.0]);
+        // On the axis itself either side is as near.
+        assert_eq!(capsule.clearance(Vector::zeros()).distance, -0.006);
     }
 
     /// Central differences of step h err by h²/6 times the third derivative,

@@ -4,7 +4,7 @@
 use serde::Serialize;
 
 use crate::equilibrium::{
-    Certificate as Conditions, Contact as Touch, EndReason, Event as Happening, Occurrence, Run,
+    Certificate as Conditions, Contact as Touch, Event as Happening, Occurrence, Run,
 };
 use crate::geometry::Vector;
 use crate::model::Line;
@@ -245,11 +245,7 @@ fn event(happening: &Happening) -> Event {
             event.distance_mm = Some(mm(distance));
         }
         Occurrence::BranchEnded { reason, segment } => {
-            event.reason = Some(match reason {
-                EndReason::LinkageLimit => "linkage_limit",
-                EndReason::Fold => "fold",
-                EndReason::Blocked => "blocked",
-            });
+            event.reason = Some(reason.word());
             event.segment = Some(segment);
         }
         Occurrence::StartRefused => {}
