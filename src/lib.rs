@@ -98,6 +98,7 @@ pub mod model;
 pub mod scene;
 pub mod solver;
 pub mod units;
+pub mod view;
 
 /// The README's example, compiled and run.
 #[cfg(doctest)]
