@@ -95,6 +95,7 @@ pub mod equilibrium;
 pub mod geometry;
 pub mod math;
 pub mod model;
+pub mod report;
 pub mod scene;
 pub mod solver;
 pub mod units;
