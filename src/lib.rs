@@ -95,9 +95,11 @@ pub mod equilibrium;
 pub mod geometry;
 pub mod math;
 pub mod model;
+pub mod report;
 pub mod scene;
 pub mod solver;
 pub mod units;
+pub mod view;
 
 /// The README's example, compiled and run.
 #[cfg(doctest)]
