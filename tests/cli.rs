@@ -624,3 +624,35 @@ fn the_readme_names_every_key_of_a_scene() {
     let schema: Value = serde_json::from_str(&check(&["schema"], 0).out).unwrap();
     check_keys(&schema, include_str!("../README.md"));
 }
+
+#[test]
+fn pictures_come_as_svg_and_png() {
+    let scene = asset("two-discs");
+    let svg = temporary("two-discs.svg");
+    let png = temporary("two-discs.PNG");
+    for (file, start) in [(&svg, &b"<svg"[..]), (&png, &b"\x89PNG"[..])] {
+        // Nothing on standard output: the picture is in its file.
+        let ran = sinew(&["draw", &scene, "-o", file.to_str().unwrap()], b"");
+        assert_eq!((ran.code, ran.out.as_str(), ran.err.as_str()), (0, "", ""));
+        assert!(fs::read(file).unwrap().starts_with(start), "{file:?}");
+    }
+    let dark = check(&["draw", &scene, "-o", "-", "--theme", "dark"], 0);
+    let light = check(&["draw", &scene, "-o", "-", "--theme", "light"], 0);
+    assert!(dark.out.starts_with("<svg") && dark.out != light.out);
+    let ended = check(&["draw", &asset("one-disc"), "--pull", "20", "-o", "-"], 3);
+    assert!(ended.out.contains("branch ends"), "{}", ended.out);
+    check_refused(
+        &["draw", &scene, "-o", "two-discs.jpg"],
+        b"",
+        "the picture's name must end in .svg or .png, or be - for an SVG on standard output",
+    );
+}
+
+/// The README's picture is what the program draws now. To renew it:
+/// `cargo run --release -- draw assets/scenes/two-discs.toml -o assets/pictures/two-discs.svg`
+#[test]
+fn the_readmes_picture_is_of_the_present_state() {
+    let drawn = check(&["draw", &asset("two-discs"), "-o", "-"], 0).out;
+    let kept = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/pictures/two-discs.svg");
+    assert!(fs::read_to_string(kept).unwrap() == drawn, "renew {kept}");
+}

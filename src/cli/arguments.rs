@@ -8,6 +8,7 @@ const EXAMPLES: &str = "\
 Examples:
   sinew solve two-discs.toml                  a report for people
   sinew solve two-discs.toml --format json    the same for programs
+  sinew draw two-discs.toml -o two-discs.svg  a picture
   sinew check two-discs.toml                  every fault of a scene file
   sinew schema > scene.schema.json            for editors that complete TOML
 
@@ -33,6 +34,8 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     /// Finds the robot's shape and what it presses on.
     Solve(Solve),
+    /// Draws the robot where it rests, as SVG or PNG.
+    Draw(Draw),
     /// Lists every fault of a scene file, or sums the scene up.
     Check(Check),
     /// Prints the JSON Schema of scene files.
@@ -65,6 +68,36 @@ pub(super) struct Solve {
         conflicts_with = "path"
     )]
     pub repeat: Option<u32>,
+}
+
+#[derive(Args)]
+pub(super) struct Draw {
+    /// The scene file, or - for standard input.
+    pub scene: PathBuf,
+
+    /// Where to write the picture: a name ending in .svg or .png, or - for an
+    /// SVG on standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+
+    /// Draw in this much cable instead of the scene's pull_mm.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
+    pub pull: Option<f64>,
+
+    /// The colours. An SVG with auto follows its viewer; a PNG is light then.
+    #[arg(long, value_enum, default_value_t = Look::Auto)]
+    pub theme: Look,
+}
+
+/// The colours of a picture.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Look {
+    /// As the viewer prefers.
+    Auto,
+    /// Ink on paper.
+    Light,
+    /// Paper on ink.
+    Dark,
 }
 
 #[derive(Args)]

@@ -6,6 +6,7 @@
 
 mod arguments;
 mod check;
+mod draw;
 mod input;
 mod output;
 mod progress;
@@ -50,6 +51,7 @@ pub fn run() -> ExitCode {
     };
     let outcome = match arguments.command {
         Command::Solve(what) => solve::run(&what),
+        Command::Draw(what) => draw::run(&what),
         Command::Check(what) => check::run(&what),
         Command::Schema => schema(),
     };

@@ -88,7 +88,7 @@ fn path<W: Write>(goal: &Problem, steps: u32, output: &mut Output<W>) -> Result<
 }
 
 /// Runs to the end in slices, with a look at the run after each.
-fn finish(run: &mut Run, mut after_slice: impl FnMut(&Run)) {
+pub(super) fn finish(run: &mut Run, mut after_slice: impl FnMut(&Run)) {
     let slice = (SLICE / run.problem().robot().segments).clamp(1, 1024);
     while run.advance(slice) == equilibrium::Progress::Running {
         after_slice(run);
@@ -96,7 +96,8 @@ fn finish(run: &mut Run, mut after_slice: impl FnMut(&Run)) {
     after_slice(run);
 }
 
-fn outcome(run: &Run, problem: &Problem) -> Outcome {
+/// Done, or why the run did not reach its goal.
+pub(super) fn outcome(run: &Run, problem: &Problem) -> Outcome {
     let solution = run.solution();
     if solution.status == Status::Converged {
         return Outcome::Done;

@@ -284,7 +284,10 @@ mod tests {
         let capsule = Obstacle::new(Core::segment(0.05), 0.006, Vector::zeros(), 0.0);
         let check = |x: f64, y: f64, distance: f64, normal: [f64; 2]| {
             let clearance = capsule.clearance(Vector::new(x, y));
-            assert!((clearance.distance - distance).abs() < 1e-16, "{clearance:?}");
+            assert!(
+                (clearance.distance - distance).abs() < 1e-16,
+                "{clearance:?}"
+            );
             assert!((clearance.normal - Vector::from(normal)).norm() < 1e-12);
         };
         check(0.2, 0.0, 0.169, [1.0, 0.0]);
