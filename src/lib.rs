@@ -16,7 +16,7 @@
 //! text ── scene ──▶ Scene ── model ──▶ Problem ── equilibrium ──▶ Solution
 //!                                         │                          │
 //!                        geometry: clearances of obstacles      Certificate
-//!                        solver: least cost along a chain
+//!                        solver: least cost along a chain      view, report
 //! ```
 //!
 //! A [`scene::Scene`] is what a file says and may be half-edited nonsense.
@@ -40,6 +40,9 @@
 //! - [`scene`]: the scene file: its types, its checks, its schema.
 //! - [`model`]: the robot of eq. 4 and 5 as a chain, from a scene.
 //! - [`equilibrium`]: from a problem to a certified solution, step by step.
+//! - [`view`]: a solution as plain draw data: marks in the world and what they
+//!   mean, the same for every picture.
+//! - [`report`]: drawings as files' contents, SVG and PNG.
 //! - `cli`: the command line. Only with the feature `cli`, which is on by
 //!   default.
 //!

@@ -359,7 +359,7 @@ impl Certifier {
             let across = self.across[i];
             let pushed = value * free;
             let pivot = free.dot(&pushed);
-            let least = 1e-16 * value.amax();
+            let least = 1e-16 * value.trace().abs();
             if pivot.is_nan() || pivot <= least {
                 return false;
             }

@@ -216,9 +216,7 @@ impl Run {
             self.to.clone_from(&self.goal);
             self.grown_first = false;
             self.begin_leg(true);
-        } else if self.now.robot() == problem.robot()
-            && self.now.candidates() == problem.candidates()
-        {
+        } else if self.now.robot() == problem.robot() && self.now.same_candidates(problem) {
             let known = self.now.obstacles().to_vec();
             self.meet_obstacles(&known, self.now.pull());
         } else {

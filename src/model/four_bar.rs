@@ -155,24 +155,26 @@ impl FourBar {
         let t = self.shorter * sine;
         let q = self.shorter * cosine;
         let c = (self.longer * self.longer - t * t).sqrt();
-        let sum = c + q;
+        // Divisions are the dearest part of a roll-out: one a divisor.
+        let (per_c, per_sum) = (1.0 / c, 1.0 / (c + q));
         // r = t/c, with (c + q)′ = −r (c + q).
-        let r = t / c;
-        let r1 = q / c * (1.0 + r * r);
+        let r = t * per_c;
+        let r1 = q * per_c * (1.0 + r * r);
 
         // s = sin(β/2): s′ = r s, s″ = (r² + r′) s.
-        let s = self.numerator / sum;
+        let s = self.numerator * per_sum;
         let growth = r * r + r1;
         let half_cosine = (1.0 - s * s).sqrt();
+        let per_half_cosine = 1.0 / half_cosine;
         let half = s.asin();
-        let half1 = r * s / half_cosine;
-        let half2 = (growth * s + s * half1 * half1) / half_cosine;
+        let half1 = r * s * per_half_cosine;
+        let half2 = (growth * s + s * half1 * half1) * per_half_cosine;
 
         // β/β* and its derivatives, smooth through no pull at all.
-        let scaled = self.normaliser / sum;
+        let scaled = self.normaliser * per_sum;
         let ratio = scaled * if s.abs() < 1e-4 { asinc(s) } else { half / s };
-        let ratio1 = r * scaled / half_cosine;
-        let ratio2 = (growth * scaled + s * half1 * ratio1) / half_cosine;
+        let ratio1 = r * scaled * per_half_cosine;
+        let ratio2 = (growth * scaled + s * half1 * ratio1) * per_half_cosine;
 
         // The backbone link's component along m is the longer link's where
         // the cable is the shorter one.

@@ -7,6 +7,7 @@ use super::rows;
 use crate::geometry::{Obstacle, Vector, perpendicular};
 use crate::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State};
 use nalgebra::{SMatrix, matrix, vector};
+use std::sync::Arc;
 
 /// The robot's dimensions, in metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,7 +48,8 @@ pub struct Problem {
     robot: Robot,
     pull: f64,
     segment: FourBar,
-    candidates: Vec<Candidate>,
+    /// Shared by all clones: a fine robot has many.
+    candidates: Arc<[Candidate]>,
     /// The greatest lever of a candidate.
     reach: f64,
     obstacles: Vec<Obstacle>,
@@ -59,7 +61,7 @@ impl Clone for Problem {
             robot: self.robot,
             pull: self.pull,
             segment: self.segment,
-            candidates: self.candidates.clone(),
+            candidates: Arc::clone(&self.candidates),
             reach: self.reach,
             obstacles: self.obstacles.clone(),
         }
@@ -69,7 +71,7 @@ impl Clone for Problem {
         self.robot = source.robot;
         self.pull = source.pull;
         self.segment = source.segment;
-        self.candidates.clone_from(&source.candidates);
+        self.candidates = Arc::clone(&source.candidates);
         self.reach = source.reach;
         self.obstacles.clone_from(&source.obstacles);
     }
@@ -92,7 +94,7 @@ impl Problem {
             pull,
             segment: segment(&robot, pull),
             reach: candidates.iter().map(Candidate::lever).fold(0.0, f64::max),
-            candidates,
+            candidates: candidates.into(),
             obstacles,
         }
     }
@@ -146,13 +148,18 @@ impl Problem {
     /// that one can be moved into the other.
     pub fn resembles(&self, other: &Self) -> bool {
         self.robot == other.robot
-            && self.candidates == other.candidates
+            && self.same_candidates(other)
             && self.obstacles.len() == other.obstacles.len()
             && self
                 .obstacles
                 .iter()
                 .zip(&other.obstacles)
                 .all(|(a, b)| a.resembles(b))
+    }
+
+    /// Whether the same parts of the robot may touch in both.
+    pub fn same_candidates(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.candidates, &other.candidates) || self.candidates == other.candidates
     }
 
     /// Becomes the problem a share `t` in \[0, 1\] of the way from `a` to `b`,

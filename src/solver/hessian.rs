@@ -72,6 +72,7 @@ impl<const NX: usize, const NU: usize> Hessian<NX, NU> {
     ) {
         let n = point.stages.len();
         self.stages.clear();
+        self.stages.reserve(n);
         for k in 1..=n {
             let mut block = chain.dynamics_curvature(&point.bends[k - 1], &self.adjoints[k]);
             block.by_control += point.stages[k - 1].cost_curvature;

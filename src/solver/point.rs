@@ -44,6 +44,9 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Point<C, NX, NU> {
         self.stages.clear();
         self.bends.clear();
         self.rows.clear();
+        self.nodes.reserve(n + 1);
+        self.stages.reserve(n);
+        self.bends.reserve(n);
         self.cost = 0.0;
         self.nodes.push(chain.base());
         for k in 1..=n {

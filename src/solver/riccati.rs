@@ -211,6 +211,8 @@ impl<const NX: usize, const NU: usize> Riccati<NX, NU> {
     ) {
         du.clear();
         dz.clear();
+        du.reserve(stages.len());
+        dz.reserve(stages.len() + 1);
         let mut state: State<NX> = SVector::zeros();
         dz.push(state);
         for (k, (stage, factor)) in stages.iter().zip(&self.factors).enumerate() {
