@@ -42,6 +42,8 @@
 //! - [`equilibrium`]: from a problem to a certified solution, step by step.
 //! - [`forces`]: newtons, from multipliers with a bending stiffness and from
 //!   kinematics by virtual work; the balance of the whole robot.
+//! - [`experiments`]: the paper's figures and table as data, and measured
+//!   shapes against computed ones.
 //! - `cli`: the command line. Only with the feature `cli`, which is on by
 //!   default.
 //!
@@ -101,6 +103,7 @@
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod equilibrium;
+pub mod experiments;
 pub mod forces;
 pub mod geometry;
 pub mod math;

@@ -3,8 +3,8 @@
 
 use sinew::equilibrium::{Class, Settings, Solution, Start, Status, solve};
 use sinew::forces::{
-    Caveat, FitError, LineFit, Profile, Rates, Sections, Statics, Stiffness, Sweep, SweepError,
-    VirtualWork, VirtualWorkError, Window, part_name, share_of_tension,
+    Caveat, FitError, LineFit, Loaded, Loading, Profile, Rates, Sections, Statics, Stiffness,
+    Sweep, SweepError, VirtualWork, VirtualWorkError, Window, part_name, share_of_tension,
 };
 use sinew::geometry::Vector;
 use sinew::model::Problem;
@@ -429,4 +429,39 @@ fn the_whole_body_balances_wherever_it_touches() {
         let statics = Statics::of(&problem, &solution, stiffness());
         assert!(statics.balances(), "{statics:?}");
     }
+}
+
+#[test]
+fn loads_count_from_contact_and_are_met() {
+    let cell = problem("load-cell");
+    let loads = [350.0, 50.0, 100.0].map(newtons);
+    let loading = Loading::of(&cell, stiffness(), &loads).unwrap();
+    let begins = at(&cell, 1e3 * loading.contact.unwrap());
+    let solution = solved(&begins);
+    close(
+        loading.datum,
+        Statics::of(&begins, &solution, stiffness()).tension,
+        1e-9,
+    );
+    // Contact only just begins there, at the pull known from the scene file.
+    assert!((1e3 * loading.contact.unwrap() - 2.70).abs() < 0.005);
+    for (state, load) in loading.states.iter().zip(loads) {
+        assert_eq!(state.load, load);
+        close(state.statics.tension, loading.datum + load, 1e-6);
+        assert!(state.statics.balances());
+    }
+    let force = |k: usize| state_force(&loading.states[k]);
+    assert!(force(0) > force(2) && force(2) > force(1));
+    // A free robot's loads are its whole tension.
+    let free = Loading::of(&problem("free"), stiffness(), &[newtons(100.0)]).unwrap();
+    assert_eq!((free.contact, free.datum), (None, 0.0));
+    close(grams(free.states[0].statics.tension), 100.0, 1e-6);
+    // More than the linkage can carry.
+    let heavy = Loading::of(&problem("free"), stiffness(), &[1e6]);
+    assert!(matches!(heavy, Err(SweepError::OutOfRange { .. })));
+}
+
+fn state_force(state: &Loaded) -> f64 {
+    let contacts = state.statics.contacts.iter();
+    contacts.map(|contact| contact.normal_force).sum()
 }

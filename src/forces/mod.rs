@@ -24,6 +24,7 @@
 
 mod label;
 mod line_fit;
+mod loading;
 mod sections;
 mod statics;
 mod stiffness;
@@ -32,6 +33,7 @@ mod virtual_work;
 
 pub use label::part_name;
 pub use line_fit::{FitError, LineFit};
+pub use loading::{Loaded, Loading};
 pub use sections::{Section, Sections};
 pub use statics::{ContactForce, Resultant, Statics, share_of_tension};
 pub use stiffness::{Profile, Stiffness, StiffnessError};
@@ -39,3 +41,13 @@ pub use sweep::{Sweep, SweepError, SweepPoint};
 pub use virtual_work::{
     Caveat, PressingForce, Rates, Touch, VirtualWork, VirtualWorkError, Window,
 };
+
+/// A number for a message, without what converting its unit did to its last
+/// digits.
+fn told(value: f64) -> f64 {
+    if value == 0.0 || !value.is_finite() {
+        return value;
+    }
+    // The nearest number with nine figures, found in decimal.
+    format!("{value:.8e}").parse().unwrap_or(value)
+}

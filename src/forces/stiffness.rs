@@ -1,8 +1,10 @@
 //! The bending stiffness EI, which turns multipliers into forces. The paper's
 //! model does without it and never states one.
 
+use super::told;
 use crate::equilibrium::Solution;
 use crate::model::Problem;
+use crate::units::{grams, millimetres, newton_square_millimetres};
 use std::f64::consts::PI;
 
 /// A bending stiffness EI, in N·m², positive and finite.
@@ -37,15 +39,19 @@ pub enum Profile {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum StiffnessError {
     /// The number is no stiffness.
-    #[error("a bending stiffness of {0} N·m² is not positive and finite; give one that is")]
+    #[error(
+        "a bending stiffness of {} N mm² is not positive and finite; give one that is",
+        told(newton_square_millimetres(*.0))
+    )]
     NotPositive(f64),
     /// The load that was measured is not positive.
-    #[error("a load of {0} N cannot calibrate the stiffness; give a positive one")]
+    #[error("a load of {} g cannot calibrate the stiffness; give a positive one", told(grams(*.0)))]
     NoLoad(f64),
     /// The robot's cable is not tense.
     #[error(
-        "at a pull of {0} m the robot is not bent by its cable, so that no load calibrates its stiffness; \
-         give a load measured at a positive pull"
+        "at a pull of {} mm the robot is not bent by its cable, so that no load calibrates its \
+         stiffness; give a load measured at a positive pull",
+        told(millimetres(*.0))
     )]
     NoPull(f64),
 }

@@ -26,7 +26,8 @@
 
 use super::line_fit::{FitError, LineFit};
 use super::sweep::Sweep;
-use crate::units::millimetres;
+use super::told;
+use crate::units::{grams, millimetres};
 
 /// A range of pulls, in metres, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,7 +112,9 @@ pub enum VirtualWorkError {
     NoSlide,
     /// The measured point is no point to calibrate on.
     #[error(
-        "a load of {load} N with a force of {force} N cannot calibrate mu; both have to be positive"
+        "a load of {} g with a force of {} g cannot calibrate mu; both have to be positive",
+        told(grams(*.load)),
+        told(grams(*.force))
     )]
     NotMeasured {
         /// The load, in N.
@@ -120,7 +123,7 @@ pub enum VirtualWorkError {
         force: f64,
     },
     /// A load is not a positive number.
-    #[error("a load of {0} N gives no contact force; loads count from contact and are positive")]
+    #[error("a load of {} g gives no contact force; loads count from contact and are positive", told(grams(*.0)))]
     NoLoad(f64),
 }
 
@@ -304,7 +307,7 @@ impl std::fmt::Display for Caveat {
         match self {
             Caveat::NotAtTip { node, tip } => write!(
                 f,
-                "eq. 8 to 11 were derived for contact at the tip (node {tip}), not at node {node}"
+                "Eq. 8 to 11 were derived for contact at the tip (node {tip}), not at node {node}"
             ),
             Caveat::Curved {
                 coordinate,
@@ -318,16 +321,16 @@ impl std::fmt::Display for Caveat {
             ),
             Caveat::MeetsContact => write!(
                 f,
-                "contact begins or ends inside the window, so that the lines mix two motions"
+                "Contact begins or ends inside the window, so that the lines mix two motions"
             ),
             Caveat::Friction(friction) => write!(
                 f,
-                "μ = {friction:.3} is a calibration factor: dry plastics slide with |μ| of 0.1 to \
-                 0.6"
+                "|μ| = {:.3} is a calibration factor: dry plastics slide with 0.1 to 0.6",
+                friction.abs()
             ),
             Caveat::SiteDependent => write!(
                 f,
-                "the slopes are those of a robot that touches, and hold for this obstacle only"
+                "The slopes are those of a robot that touches, and hold for this obstacle only"
             ),
         }
     }
