@@ -44,6 +44,7 @@
 //!   kinematics by virtual work; the balance of the whole robot.
 //! - [`experiments`]: the paper's figures and table as data, and measured
 //!   shapes against computed ones.
+//! - `report`: charts and pages of results. Only with the feature `cli`.
 //! - `cli`: the command line. Only with the feature `cli`, which is on by
 //!   default.
 //!
@@ -108,6 +109,8 @@ pub mod forces;
 pub mod geometry;
 pub mod math;
 pub mod model;
+#[cfg(feature = "cli")]
+pub mod report;
 pub mod scene;
 pub mod solver;
 pub mod units;
