@@ -44,7 +44,8 @@
 //!   kinematics by virtual work; the balance of the whole robot.
 //! - [`experiments`]: the paper's figures and table as data, and measured
 //!   shapes against computed ones.
-//! - `report`: charts and pages of results. Only with the feature `cli`.
+//! - [`view`]: solutions as plain draw data, with no window.
+//! - [`report`]: drawings, charts and pages as the contents of files.
 //! - `cli`: the command line. Only with the feature `cli`, which is on by
 //!   default.
 //!
@@ -109,11 +110,11 @@ pub mod forces;
 pub mod geometry;
 pub mod math;
 pub mod model;
-#[cfg(feature = "cli")]
 pub mod report;
 pub mod scene;
 pub mod solver;
 pub mod units;
+pub mod view;
 
 /// The README's example, compiled and run.
 #[cfg(doctest)]

@@ -874,3 +874,24 @@ fn the_papers_figures_are_reproduced_into_a_report() {
         ran.err
     );
 }
+
+#[test]
+fn robots_are_drawn_by_the_name_of_the_file() {
+    let scene = asset("two-discs");
+    let draw = |name: &str, options: &[&str], code| {
+        let file = temporary(name);
+        let args = [&["draw", &scene, "-o", file.to_str().unwrap()], options].concat();
+        let ran = sinew(&args, b"");
+        assert_eq!(ran.code, code, "{}", ran.err);
+        assert!(ran.out.is_empty());
+        (fs::read(&file).unwrap_or_default(), ran.err)
+    };
+    let (svg, _) = draw("robot.svg", &[], 0);
+    assert!(svg.starts_with(b"<svg"));
+    let (png, _) = draw("robot.png", &["--theme", "dark", "--pull", "5"], 0);
+    assert!(png.starts_with(b"\x89PNG"));
+    let (_, told) = draw("robot.gif", &[], 2);
+    assert!(told.ends_with("robot.gif does not say what to draw; end it in .svg or .png\n"));
+    let (last, told) = draw("robot-last.svg", &["--pull", "100"], 3);
+    assert!(last.starts_with(b"<svg") && told.contains("last good state"));
+}

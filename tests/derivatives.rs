@@ -142,6 +142,13 @@ fn dense_hessian(problem: &Problem, controls: &[Control<1>], kept: &[RowId]) -> 
     )
 }
 
+/// The weights that pick one row.
+fn only(index: usize, count: usize) -> Vec<f64> {
+    (0..count)
+        .map(|i| f64::from(u8::from(i == index)))
+        .collect()
+}
+
 /// Rows that are there on both sides of a small change, so that differences
 /// see only smooth changes.
 fn steady_rows(problem: &Problem, controls: &[Control<1>]) -> Vec<RowId> {
@@ -184,8 +191,9 @@ fn the_riccati_recursion_inverts_the_hessian() {
         .factor(&point.stages, &hessian, shift, 1e-9)
         .unwrap();
     let (mut du, mut dz) = (Vec::new(), Vec::new());
-    for row in &point.rows {
-        riccati.solve(&point, Source::Row(row), &mut du, &mut dz);
+    for (index, row) in point.rows.iter().enumerate() {
+        let weights = only(index, point.rows.len());
+        riccati.solve(&point, Source::Rows(&weights), &mut du, &mut dz);
         let found = DVector::from_iterator(18, du.iter().map(|d| d[0]));
         let gradient = point.row_gradient(row);
         let right = DVector::from_iterator(18, gradient.iter().map(|g| g[0]));
@@ -195,9 +203,10 @@ fn the_riccati_recursion_inverts_the_hessian() {
         // The states' perturbation belongs to the controls'.
         assert!((row.change(&du, &dz) - right.dot(&found)).abs() < 1e-12);
     }
-    riccati.solve(&point, Source::Cost, &mut du, &mut dz);
+    let none = vec![0.0; point.rows.len()];
+    riccati.solve(&point, Source::Step(&none), &mut du, &mut dz);
     let found = DVector::from_iterator(18, du.iter().map(|d| d[0]));
-    let right = DVector::from_iterator(18, point.stages.iter().map(|s| s.cost_gradient[0]));
+    let right = DVector::from_iterator(18, point.stages.iter().map(|s| -s.cost_gradient[0]));
     assert!((&shifted * &found - &right).amax() < 1e-6 * right.amax());
 }
 
@@ -207,7 +216,7 @@ fn stiffening_adds_the_outer_product_of_the_gradient() {
     let controls = controls();
     let point = at(&problem, &controls);
     let none = vec![0.0; point.rows.len()];
-    for row in &point.rows {
+    for (index, row) in point.rows.iter().enumerate() {
         let mut hessian = Hessian::default();
         hessian.gradient(&point, &none);
         hessian.assemble(&problem, &point, &none);
@@ -221,7 +230,8 @@ fn stiffening_adds_the_outer_product_of_the_gradient() {
             dense[(i, i)] += point.stages[i].cost_curvature[(0, 0)];
         }
         let (mut du, mut dz) = (Vec::new(), Vec::new());
-        riccati.solve(&point, Source::Row(row), &mut du, &mut dz);
+        let weights = only(index, point.rows.len());
+        riccati.solve(&point, Source::Rows(&weights), &mut du, &mut dz);
         let found = DVector::from_iterator(18, du.iter().map(|d| d[0]));
         assert!((dense * found - &g).amax() < 1e-11, "{row:?}");
     }

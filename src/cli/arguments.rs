@@ -9,6 +9,7 @@ Examples:
   sinew solve two-discs.toml                  a report for people
   sinew solve two-discs.toml --format json    the same for programs
   sinew check two-discs.toml                  every fault of a scene file
+  sinew draw two-discs.toml -o robot.svg      a picture
   sinew force load-cell.toml                  contact force against load
   sinew compare free.toml photo.csv           a measured shape against the computed
   sinew reproduce                             the paper's figures and table
@@ -23,6 +24,11 @@ Examples:
   sinew solve two-discs.toml --path 20 --format csv > path.csv
   sinew solve two-discs.toml --repeat 1000              how long a solve takes
   generate-scene | sinew solve - --format json";
+
+const DRAW_EXAMPLES: &str = "\
+Examples:
+  sinew draw two-discs.toml -o two-discs.svg
+  sinew draw two-discs.toml -o two-discs.png --pull 5 --theme dark";
 
 const FORCE_EXAMPLES: &str = "\
 Examples:
@@ -59,6 +65,8 @@ pub(super) enum Command {
     Solve(Solve),
     /// Lists every fault of a scene file, or sums the scene up.
     Check(Check),
+    /// Draws the robot's shape and what it presses on.
+    Draw(Draw),
     /// Estimates the contact force against the load, by virtual work and by
     /// multipliers.
     Force(Force),
@@ -102,6 +110,36 @@ pub(super) struct Solve {
 pub(super) struct Check {
     /// The scene file, or - for standard input.
     pub scene: PathBuf,
+}
+
+#[derive(Args)]
+#[command(after_help = DRAW_EXAMPLES)]
+pub(super) struct Draw {
+    /// The scene file, or - for standard input.
+    pub scene: PathBuf,
+
+    /// The picture to write; its name ends in .svg or .png.
+    #[arg(short, long, value_name = "FILE")]
+    pub out: PathBuf,
+
+    /// Draw in this much cable instead of the scene's pull_mm.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
+    pub pull: Option<f64>,
+
+    /// Its colours.
+    #[arg(long, value_enum, default_value_t = Paint::Auto)]
+    pub theme: Paint,
+}
+
+/// The colours of a picture.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Paint {
+    /// What the reader's system prefers, in an SVG; light in a PNG.
+    Auto,
+    /// Dark on light.
+    Light,
+    /// Light on dark.
+    Dark,
 }
 
 #[derive(Args)]

@@ -44,10 +44,7 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
     if let Some(path) = &what.out {
         let picture = chart::svg_file(&both(&problem, &solution, &measured, &fit))
             .map_err(|error| Failure::Making(error.into()))?;
-        fs::write(path, picture).map_err(|error| {
-            let path = printable(&path.display().to_string());
-            io::Error::new(error.kind(), format!("{path}: {error}"))
-        })?;
+        fs::write(path, picture).map_err(|error| super::draw::named(path, &error))?;
     }
     let title = printable(scene.title.as_deref().unwrap_or("Untitled scene"));
     let found = Found::of(title, what.pull.is_some(), &problem, &measured, &fit);

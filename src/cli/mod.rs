@@ -7,6 +7,7 @@
 mod arguments;
 mod check;
 mod compare;
+mod draw;
 mod force;
 mod input;
 mod numbers;
@@ -58,6 +59,7 @@ pub fn run() -> ExitCode {
     let outcome = match arguments.command {
         Command::Solve(what) => solve::run(&what),
         Command::Check(what) => check::run(&what),
+        Command::Draw(what) => draw::run(&what),
         Command::Force(what) => force::run(&what),
         Command::Compare(what) => compare::run(&what),
         Command::Reproduce(what) => reproduce::run(&what),

@@ -7,11 +7,13 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::arguments::{Report, Reproduce};
+use super::draw::named;
 use super::input::BadInput;
 use super::output::{printable, reader};
 use super::{Failure, Outcome, tables};
-use crate::experiments::{self, Axis, Chart, Check, Id, Item};
-use crate::report::{chart, page};
+use crate::experiments::{self, Axis, Chart, Check, Id, Item, Picture};
+use crate::report::{chart, page, svg};
+use crate::view::{Notes, draw};
 
 pub(super) fn run(what: &Reproduce) -> Result<Outcome, Failure> {
     let ids = wanted(&what.items)?;
@@ -60,10 +62,10 @@ fn write_report(folder: &Path, items: &[Item]) -> Result<(), Failure> {
     let drawn = |error: chart::ChartError| Failure::Making(error.into());
     let (data, figures) = (folder.join("data"), folder.join("figures"));
     for needed in [&data, &figures] {
-        fs::create_dir_all(needed).map_err(|error| named(needed, error))?;
+        fs::create_dir_all(needed).map_err(|error| named(needed, &error))?;
     }
     let write = |path: &Path, contents: &str| -> Result<(), Failure> {
-        Ok(fs::write(path, contents).map_err(|error| named(path, error))?)
+        Ok(fs::write(path, contents).map_err(|error| named(path, &error))?)
     };
     for item in items {
         for one in &item.charts {
@@ -75,14 +77,32 @@ fn write_report(folder: &Path, items: &[Item]) -> Result<(), Failure> {
         let name = format!("{}-comparison.csv", item.id.word());
         write(&data.join(name), &comparison(&item.checks)?)?;
     }
-    let html = page::html(items, &[]).map_err(drawn)?;
+    let mut pictures = Vec::with_capacity(items.len());
+    for item in items {
+        let mut shown = Vec::with_capacity(item.pictures.len());
+        for one in &item.pictures {
+            let svg = robot(one);
+            let name = format!("{}-{}.svg", item.id.word(), one.word);
+            write(&figures.join(name), &svg)?;
+            shown.push(page::Figure {
+                title: one.title.clone(),
+                element: page::image(&svg, &one.title),
+            });
+        }
+        pictures.push(shown);
+    }
+    let html = page::html(items, &pictures).map_err(drawn)?;
     write(&folder.join("report.html"), &html)
 }
 
-/// An error with the path it is about.
-fn named(path: &Path, error: io::Error) -> io::Error {
-    let path = printable(&path.display().to_string());
-    io::Error::new(error.kind(), format!("{path}: {error}"))
+/// A shape as a picture.
+fn robot(one: &Picture) -> String {
+    let notes = Notes {
+        names: one.names.clone(),
+        ..Notes::default()
+    };
+    let drawing = draw(&one.problem, &one.solution, &notes);
+    svg::render_adaptive(&drawing, svg::Size::suiting(&drawing))
 }
 
 /// A chart's curves as CSV: a row for each point, with its curve's name.

@@ -383,7 +383,7 @@ impl Certifier {
             let (across_b, across_k) = (perpendicular(b), perpendicular(k));
             // N moves both ends across their links and keeps the disk's length.
             let (alpha, gamma) = (w.dot(&across_k), w.dot(&across_b));
-            let size = alpha.hypot(gamma);
+            let size = (alpha * alpha + gamma * gamma).sqrt();
             let free = pair(alpha / size * across_b, gamma / size * across_k);
             worst = worst.max(self.balance[i].dot(&free).abs());
             let left = self.balance[i];

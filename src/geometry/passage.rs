@@ -21,9 +21,10 @@ impl Obstacle {
     /// right angle. A point that slides around a curved surface also cuts a
     /// chord, but turns little in a small step.
     ///
-    /// `change` is [`Obstacle::change`] between the two.
-    pub fn point_passes(&self, later: &Self, (from, to): Motion, radius: f64, change: f64) -> bool {
-        if self.is_beyond(from, radius + (to - from).norm() + change) {
+    /// `moved` is an upper bound of how far the point goes relative to the
+    /// obstacle; one that is farther away is not looked at.
+    pub fn point_passes(&self, later: &Self, (from, to): Motion, radius: f64, moved: f64) -> bool {
+        if self.is_beyond(from, radius + moved) {
             return false;
         }
         let start = self.to_local(from);
@@ -34,16 +35,15 @@ impl Obstacle {
     }
 
     /// Whether an edge, its ends moving straight, sweeps over a vertex of the
-    /// core while this obstacle becomes `later`, `change` apart.
+    /// core while this obstacle becomes `later`; `moved` as for points.
     pub fn edge_passes(
         &self,
         later: &Self,
         (a, b): (Motion, Motion),
         tolerance: f64,
-        change: f64,
+        moved: f64,
     ) -> bool {
-        let moved = (a.1 - a.0).norm().max((b.1 - b.0).norm());
-        if self.is_beyond(a.0, (b.0 - a.0).norm() + moved + change) {
+        if self.is_beyond(a.0, (b.0 - a.0).norm() + moved) {
             return false;
         }
         let before = (self.to_local(a.0), self.to_local(b.0));
@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     fn passes(obstacle: &Obstacle, from: [f64; 2], to: [f64; 2]) -> bool {
-        obstacle.point_passes(obstacle, (from.into(), to.into()), 0.0, 0.0)
+        obstacle.point_passes(obstacle, (from.into(), to.into()), 0.0, 1.0)
     }
 
     #[test]
@@ -124,10 +124,9 @@ mod tests {
         let before = Obstacle::new(Core::Point, 0.01, Vector::new(-0.1, 0.0), 0.0);
         let after = before.moved(Vector::new(0.2, 0.0));
         let rest = (Vector::zeros(), Vector::zeros());
-        let change = before.change(&after);
-        assert!(before.point_passes(&after, rest, 0.0, change));
+        assert!(before.point_passes(&after, rest, 0.0, 1.0));
         let along = (Vector::zeros(), Vector::new(0.2, 0.0));
-        assert!(!before.point_passes(&after, along, 0.0, change));
+        assert!(!before.point_passes(&after, along, 0.0, 1.0));
     }
 
     #[test]
@@ -135,9 +134,9 @@ mod tests {
         let disc = Obstacle::new(Core::Point, 1e-4, Vector::zeros(), 0.0);
         let a = (Vector::new(-0.01, 0.01), Vector::new(-0.01, -0.01));
         let b = (Vector::new(0.01, 0.01), Vector::new(0.01, -0.01));
-        assert!(disc.edge_passes(&disc, (a, b), 1e-9, 0.0));
-        assert!(!disc.point_passes(&disc, a, 0.0, 0.0));
+        assert!(disc.edge_passes(&disc, (a, b), 1e-9, 1.0));
+        assert!(!disc.point_passes(&disc, a, 0.0, 1.0));
         let beside = (Vector::new(0.03, 0.01), Vector::new(0.03, -0.01));
-        assert!(!disc.edge_passes(&disc, (b, beside), 1e-9, 0.0));
+        assert!(!disc.edge_passes(&disc, (b, beside), 1e-9, 1.0));
     }
 }

@@ -73,6 +73,15 @@ pub struct Candidate {
 }
 
 impl Candidate {
+    /// How far from the backbone the candidate is, at most.
+    pub fn lever(&self) -> f64 {
+        match self.element {
+            Element::Point { lever } | Element::Link { lever } | Element::Across { lever } => {
+                lever.abs()
+            }
+        }
+    }
+
     /// The candidate's point, or its two ends, from the nodes.
     pub fn ends(&self, nodes: &[super::PlanarNode]) -> (Vector, Vector) {
         let node = &nodes[self.node];

@@ -170,7 +170,7 @@ impl FourBar {
 
         // β/β* and its derivatives, smooth through no pull at all.
         let scaled = self.normaliser / sum;
-        let ratio = scaled * asinc(s);
+        let ratio = scaled * if s.abs() < 1e-4 { asinc(s) } else { half / s };
         let ratio1 = r * scaled / half_cosine;
         let ratio2 = (growth * scaled + s * half1 * ratio1) / half_cosine;
 

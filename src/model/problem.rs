@@ -48,6 +48,8 @@ pub struct Problem {
     pull: f64,
     segment: FourBar,
     candidates: Vec<Candidate>,
+    /// The greatest lever of a candidate.
+    reach: f64,
     obstacles: Vec<Obstacle>,
 }
 
@@ -58,6 +60,7 @@ impl Clone for Problem {
             pull: self.pull,
             segment: self.segment,
             candidates: self.candidates.clone(),
+            reach: self.reach,
             obstacles: self.obstacles.clone(),
         }
     }
@@ -67,6 +70,7 @@ impl Clone for Problem {
         self.pull = source.pull;
         self.segment = source.segment;
         self.candidates.clone_from(&source.candidates);
+        self.reach = source.reach;
         self.obstacles.clone_from(&source.obstacles);
     }
 }
@@ -87,6 +91,7 @@ impl Problem {
             robot,
             pull,
             segment: segment(&robot, pull),
+            reach: candidates.iter().map(Candidate::lever).fold(0.0, f64::max),
             candidates,
             obstacles,
         }
@@ -176,16 +181,35 @@ impl Problem {
         // A link that touches a sharp corner is on it to rounding and may
         // overlap it by a step's error; neither is a passage.
         let tolerance = 1e-4 * self.robot.length;
-        let pairs = self.obstacles.iter().zip(&later.obstacles);
-        pairs.into_iter().any(|(now, then)| {
-            let change = now.change(then);
+        // No point of a disk moves farther than its node, plus its lever times
+        // the change of the disk's direction.
+        let nodes = from.iter().zip(to);
+        let shift = |(a, b): (&PlanarNode, &PlanarNode)| {
+            let moved = (b.position - a.position).norm_squared();
+            moved.max(self.reach * self.reach * (b.disk - a.disk).norm_squared())
+        };
+        let moved = 2.0 * nodes.map(shift).fold(0.0, f64::max).sqrt();
+        let mut pairs = self.obstacles.iter().zip(&later.obstacles);
+        pairs.any(|(now, then)| {
+            let moved = moved + now.change(then);
             self.candidates.iter().any(|candidate| {
                 let before = candidate.ends(from);
-                let after = candidate.ends(to);
-                let a = (before.0, after.0);
+                let after = || candidate.ends(to);
                 match candidate.element {
-                    Element::Point { .. } => now.point_passes(then, a, candidate.radius, change),
-                    _ => now.edge_passes(then, (a, (before.1, after.1)), tolerance, change),
+                    Element::Point { .. } => {
+                        !now.is_beyond(before.0, candidate.radius + moved)
+                            && now.point_passes(
+                                then,
+                                (before.0, after().0),
+                                candidate.radius,
+                                moved,
+                            )
+                    }
+                    _ => {
+                        let after = after();
+                        let ends = ((before.0, after.0), (before.1, after.1));
+                        now.edge_passes(then, ends, tolerance, moved)
+                    }
                 }
             })
         })
@@ -281,7 +305,7 @@ impl Chain<3, 1> for Problem {
         rows.clear();
         // A row farther away is met after any one iteration that the line
         // search accepts, or is seen in the next.
-        let margin = 0.08 * self.robot.length;
+        let margin = 0.05 * self.robot.length;
         for candidate in 0..self.candidates.len() {
             rows::contact_rows(self, candidate, nodes, margin, rows);
         }

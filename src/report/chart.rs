@@ -84,7 +84,7 @@ pub fn svg(chart: &Chart) -> Result<String, ChartError> {
 /// The chart as the contents of a file of its own.
 ///
 /// # Errors
-/// Those of [`svg`].
+/// Those of [`svg()`].
 pub fn svg_file(chart: &Chart) -> Result<String, ChartError> {
     let text = svg(chart)?;
     let style = format!(">\n<style>{STYLE}</style>");
@@ -230,9 +230,9 @@ fn dot_of_size<'a, C: CoordTranslate<From = (A, A)>, A: Copy + Clone + 'static>(
 }
 
 /// The room a name takes in the legend, in pixels: its mark, its letters at
-/// the mean width of 14 px type, a gap.
+/// a generous width of 14 px type, a gap.
 fn room(series: &Series) -> u32 {
-    34 + 7 * series.name.chars().count() as u32 + 18
+    34 + 8 * series.name.chars().count() as u32 + 14
 }
 
 /// Which series stand in which line of the legend.

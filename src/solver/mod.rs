@@ -25,6 +25,7 @@
 //! This layer knows no robot: no lengths, no angles, no obstacles.
 
 mod chain;
+mod covariance;
 mod hessian;
 mod point;
 mod riccati;

@@ -13,7 +13,7 @@
 //! H is positive definite exactly where every Q_uu is (Wright 1993; it is the
 //! block LDLᵀ of H in the tip-to-base order). Factoring and solving cost O(n).
 
-use super::chain::{Chain, Control, Row, Stage, State};
+use super::chain::{Chain, Control, Stage, State};
 use super::hessian::Hessian;
 use super::point::Point;
 use nalgebra::{Cholesky, Const, SMatrix, SVector};
@@ -27,11 +27,11 @@ pub struct NotPositive {
 
 /// A right-hand side, as a gradient in controls and states.
 #[derive(Clone, Copy, Debug)]
-pub enum Source<'a, const NX: usize, const NU: usize> {
-    /// The gradient of the cost.
-    Cost,
-    /// The gradient of one row.
-    Row(&'a Row<NX, NU>),
+pub enum Source<'a> {
+    /// Σ w ∇g, with one weight a row of the point.
+    Rows(&'a [f64]),
+    /// Σ λ ∇g less the gradient of the cost: the Newton step's.
+    Step(&'a [f64]),
 }
 
 /// One stage of the factor.
@@ -132,46 +132,55 @@ impl<const NX: usize, const NU: usize> Riccati<NX, NU> {
         Ok(())
     }
 
+    /// Q_uu⁻¹ and the gain K of a stage, from 1.
+    pub(super) fn feedback(&self, k: usize) -> (SMatrix<f64, NU, NU>, SMatrix<f64, NU, NX>) {
+        (self.factors[k - 1].inverse, self.factors[k - 1].gain)
+    }
+
     /// du = H⁻¹ b with the states' perturbation dz that follows from it
     /// (`du`: n, `dz`: n + 1, both overwritten). Needs a factor of the same
     /// stages.
     pub fn solve<C: Chain<NX, NU>>(
         &mut self,
         point: &Point<C, NX, NU>,
-        source: Source<'_, NX, NU>,
+        source: Source<'_>,
         du: &mut Vec<Control<NU>>,
         dz: &mut Vec<State<NX>>,
     ) {
         let stages = &point.stages;
         let n = stages.len();
-        let last = match source {
-            Source::Cost => n,
-            Source::Row(row) => row.stage,
-        };
-        let mut sum: State<NX> = match source {
-            Source::Cost => SVector::zeros(),
-            Source::Row(row) => row.after,
-        };
-        for k in (1..=last).rev() {
-            let stage = &stages[k - 1];
-            let factor = &self.factors[k - 1];
-            let mut by_control = stage.by_control.tr_mul(&sum);
-            let mut before = None;
-            match source {
-                Source::Cost => by_control += stage.cost_gradient,
-                Source::Row(row) if k == last => {
-                    by_control += row.control;
-                    before = row.before;
-                }
-                Source::Row(_) => {}
+        // The right-hand side, in controls and states.
+        du.clear();
+        dz.clear();
+        dz.resize(n + 1, SVector::zeros());
+        let weights = match source {
+            Source::Rows(weights) => {
+                du.resize(n, SVector::zeros());
+                weights
             }
-            self.feedforward[k - 1] = factor.inverse * by_control;
-            sum = stage.by_state.tr_mul(&sum) - factor.gain.tr_mul(&by_control);
-            if let Some(gradient) = before {
-                sum += gradient;
+            Source::Step(weights) => {
+                du.extend(stages.iter().map(|stage| -stage.cost_gradient));
+                weights
+            }
+        };
+        for (row, &weight) in point.rows.iter().zip(weights) {
+            if weight != 0.0 {
+                dz[row.stage] += weight * row.after;
+                du[row.stage - 1] += weight * row.control;
+                if let Some(before) = row.before {
+                    dz[row.stage - 1] += weight * before;
+                }
             }
         }
-        self.forward(stages, last, du, dz);
+        let mut sum: State<NX> = dz[n];
+        for k in (1..=n).rev() {
+            let stage = &stages[k - 1];
+            let factor = &self.factors[k - 1];
+            let by_control = du[k - 1] + stage.by_control.tr_mul(&sum);
+            self.feedforward[k - 1] = factor.inverse * by_control;
+            sum = dz[k - 1] + stage.by_state.tr_mul(&sum) - factor.gain.tr_mul(&by_control);
+        }
+        self.forward(stages, n, du, dz);
     }
 
     /// After [`Riccati::factor`] stopped at `stage`: a direction of negative

@@ -35,8 +35,9 @@ pub struct Settings {
     /// Iterations before giving up.
     pub iterations: usize,
     /// Greatest entry of the Lagrangian's gradient, relative to the greatest
-    /// of the cost's (at least 1). Newton's last step lands near 1e-14, so
-    /// 1e-11 costs no iteration and is above rounding up to n = 10⁴.
+    /// of the cost's (at least 1). A point this near is within 1e-10 of the
+    /// minimum in every control, and one more step would leave 1e-15; rounding
+    /// at n = 10⁴ leaves 1e-12.
     pub stationarity: f64,
     /// Greatest violation of a row, relative to [`Chain::row_scale`].
     pub feasibility: f64,
@@ -48,7 +49,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             iterations: 100,
-            stationarity: 1e-11,
+            stationarity: 1e-10,
             feasibility: 1e-12,
             tunnelling: Tunnelling::Forbidden,
         }
@@ -501,7 +502,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     fn correct(&mut self, chain: &C, enough: f64) -> bool {
         let after = &self.trial.rows;
         let before = &self.point.rows;
-        self.set.correct(|row| {
+        self.set.correct(&mut self.riccati, &self.point, |row| {
             let id = before[row].id;
             after
                 .binary_search_by_key(&id, |row| row.id)
@@ -513,7 +514,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         if merit.is_finite() && merit <= enough && self.clear(chain) {
             return true;
         }
-        self.set.uncorrect();
+        self.set.uncorrect(&mut self.riccati, &self.point);
         false
     }
 

@@ -5,13 +5,15 @@
 //! ```
 //!
 //! The slacks s make it solvable whatever the rows; in the dual they are the
-//! bounds 0 ≤ λ_r ≤ ν. With the columns V_r = H⁻¹ ∇g_r the step is
-//! d = −H⁻¹∇f + Σ λ_r V_r, and the rows meet only in the small dense
-//! S = Gᵀ V. As in Goldfarb and Idnani (1983), rows enter one at a time, the
-//! most violated first, and the dual objective rises with each; S's factor is
-//! updated, not rebuilt. Each row that takes part costs one O(n) solve.
+//! bounds 0 ≤ λ_r ≤ ν. The step is d = H⁻¹(Σ λ ∇g − ∇f), so the linearised
+//! rows are y = y_0 + S λ with S = G H⁻¹ Gᵀ, and the search for λ happens in
+//! the rows alone: H is only met in products with S, each O(n). As in Goldfarb
+//! and Idnani (1983), rows enter one at a time, the most violated first, and
+//! the dual objective rises with each; the factor of S among the rows in the
+//! set is updated, not rebuilt.
 
 use super::chain::{Chain, Control, State};
+use super::covariance::Covariance;
 use super::point::Point;
 use super::riccati::{Riccati, Source};
 use super::sqp::held;
@@ -22,7 +24,7 @@ use crate::math::PackedCholesky;
 /// and well below any geometric angle between rows that matters.
 const DEPENDENT: f64 = 1e-11;
 
-/// Where a row that takes part stands.
+/// Where a row stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Standing {
     /// λ = 0.
@@ -33,16 +35,6 @@ enum Standing {
     Saturated,
 }
 
-/// A row that takes part, with V = H⁻¹ ∇g.
-#[derive(Clone, Debug)]
-struct Column<const NX: usize, const NU: usize> {
-    row: usize,
-    du: Vec<Control<NU>>,
-    dz: Vec<State<NX>>,
-    standing: Standing,
-    multiplier: f64,
-}
-
 /// How one row's entering move ended.
 enum Limit {
     /// The row is met.
@@ -51,44 +43,6 @@ enum Limit {
     Own(Standing),
     /// The multiplier of this member of the set ran into 0 or ν.
     Member(usize, Standing),
-}
-
-/// The subproblem's data and solution; its storage is kept between steps.
-#[derive(Clone, Debug)]
-pub(super) struct WorkingSet<const NX: usize, const NU: usize> {
-    /// The step in the controls (n) …
-    pub du: Vec<Control<NU>>,
-    /// … and in the states (n + 1).
-    pub dz: Vec<State<NX>>,
-    /// λ, one a row of the point.
-    pub multipliers: Vec<f64>,
-    base_du: Vec<Control<NU>>,
-    base_dz: Vec<State<NX>>,
-    columns: Vec<Column<NX, NU>>,
-    used: usize,
-    column_of_row: Vec<Option<usize>>,
-    /// Columns whose rows are active, in the order of the factor.
-    members: Vec<usize>,
-    factor: PackedCholesky,
-    scratch: Vec<f64>,
-}
-
-impl<const NX: usize, const NU: usize> Default for WorkingSet<NX, NU> {
-    fn default() -> Self {
-        Self {
-            du: Vec::new(),
-            dz: Vec::new(),
-            multipliers: Vec::new(),
-            base_du: Vec::new(),
-            base_dz: Vec::new(),
-            columns: Vec::new(),
-            used: 0,
-            column_of_row: Vec::new(),
-            members: Vec::new(),
-            factor: PackedCholesky::default(),
-            scratch: Vec::new(),
-        }
-    }
 }
 
 /// What the subproblem is solved for.
@@ -103,6 +57,53 @@ pub(super) struct Terms {
     pub stiffness: f64,
 }
 
+/// The subproblem's data and solution; its storage is kept between steps.
+#[derive(Clone, Debug)]
+pub(super) struct WorkingSet<const NX: usize, const NU: usize> {
+    /// The step in the controls (n) …
+    pub du: Vec<Control<NU>>,
+    /// … and in the states (n + 1).
+    pub dz: Vec<State<NX>>,
+    /// λ, one a row of the point, as the next five.
+    pub multipliers: Vec<f64>,
+    /// y, the rows after the step to first order.
+    values: Vec<f64>,
+    standings: Vec<Standing>,
+    /// −ρ g of the stiffened rows: the linear part of ½ρ(g + ∇gᵀd)², which
+    /// acts like a multiplier.
+    offsets: Vec<f64>,
+    /// Changes of λ not yet in the values, and their effect.
+    changes: Vec<f64>,
+    effects: Vec<f64>,
+    covariance: Covariance<NX, NU>,
+    /// The active rows, in the order of the factor.
+    members: Vec<usize>,
+    factor: PackedCholesky,
+    /// Scratch, one entry a member: a column of S, and S⁻¹ of it.
+    column: Vec<f64>,
+    rates: Vec<f64>,
+}
+
+impl<const NX: usize, const NU: usize> Default for WorkingSet<NX, NU> {
+    fn default() -> Self {
+        Self {
+            du: Vec::new(),
+            dz: Vec::new(),
+            multipliers: Vec::new(),
+            values: Vec::new(),
+            standings: Vec::new(),
+            offsets: Vec::new(),
+            changes: Vec::new(),
+            effects: Vec::new(),
+            covariance: Covariance::default(),
+            members: Vec::new(),
+            factor: PackedCholesky::default(),
+            column: Vec::new(),
+            rates: Vec::new(),
+        }
+    }
+}
+
 impl<const NX: usize, const NU: usize> WorkingSet<NX, NU> {
     /// Solves the subproblem at `point`, starting from the rows with a
     /// positive entry in `guess` (one a row).
@@ -113,225 +114,189 @@ impl<const NX: usize, const NU: usize> WorkingSet<NX, NU> {
         guess: &[f64],
         terms: Terms,
     ) {
-        self.used = 0;
-        self.members.clear();
-        self.factor.clear();
-        self.column_of_row.clear();
-        self.column_of_row.resize(point.rows.len(), None);
-        riccati.solve(point, Source::Cost, &mut self.base_du, &mut self.base_dz);
-        self.negate_base();
-        self.start_from(riccati, point, guess, terms);
-        self.repair_start(point, terms.penalty);
-        self.combine();
+        self.reset(point, guess, terms);
+        riccati.solve(
+            point,
+            Source::Step(&self.offsets),
+            &mut self.du,
+            &mut self.dz,
+        );
+        let (du, dz) = (&self.du, &self.dz);
+        let values = point.rows.iter().map(|row| row.value + row.change(du, dz));
+        self.values.extend(values);
+        let idle = self.most_violated(terms.tolerance).is_none();
+        if idle && guess.iter().all(|guess| *guess <= 0.0) {
+            return;
+        }
+        self.covariance.refresh(point, riccati);
+        for (row, _) in guess.iter().enumerate().filter(|(_, guess)| **guess > 0.0) {
+            self.join(row);
+        }
+        self.repair_start(terms.penalty);
         // Each full step raises the dual objective, so no set comes twice in
         // exact arithmetic; the bound only guards against rounding.
         for _ in 0..50 + 10 * point.rows.len() {
-            let Some(row) = self.most_violated(point, terms.tolerance) else {
+            let Some(row) = self.most_violated(terms.tolerance) else {
                 break;
             };
-            self.enter(riccati, point, row, terms.penalty);
-            self.combine();
+            self.enter(row, terms.penalty);
         }
-        self.multipliers.clear();
-        self.multipliers.resize(point.rows.len(), 0.0);
-        for column in &self.columns[..self.used] {
-            self.multipliers[column.row] = column.multiplier;
-        }
-    }
-
-    /// Takes the last [`WorkingSet::correct`] back.
-    pub fn uncorrect(&mut self) {
-        self.combine();
+        self.update_step(riccati, point);
     }
 
     /// Moves the step so that the active rows, whose values became `values`
-    /// (one a row) after it, are met to second order: d + Σ V_r μ_r with
+    /// (one a row) after it, are met to second order: d + H⁻¹ Σ μ ∇g with
     /// S μ = −values.
-    pub fn correct(&mut self, values: impl Fn(usize) -> f64) {
-        self.scratch.clear();
-        for &member in &self.members {
-            self.scratch.push(-values(self.columns[member].row));
-        }
-        self.factor.solve(&mut self.scratch);
-        for (&member, &amount) in self.members.iter().zip(&self.scratch) {
-            let column = &self.columns[member];
-            for (d, v) in self.du.iter_mut().zip(&column.du) {
-                *d += amount * v;
-            }
-        }
-    }
-
-    fn negate_base(&mut self) {
-        self.base_du.iter_mut().for_each(|d| *d = -*d);
-        self.base_dz.iter_mut().for_each(|d| *d = -*d);
-    }
-
-    /// Makes every guessed row a member, unless it depends on those before.
-    fn start_from<C: Chain<NX, NU>>(
+    pub fn correct<C: Chain<NX, NU>>(
         &mut self,
         riccati: &mut Riccati<NX, NU>,
         point: &Point<C, NX, NU>,
-        guess: &[f64],
-        terms: Terms,
+        values: impl Fn(usize) -> f64,
     ) {
-        for (row, _) in guess.iter().enumerate().filter(|(_, guess)| **guess > 0.0) {
-            let index = self.column(riccati, point, row);
-            if terms.stiffness > 0.0 && held(guess[row], terms.penalty) {
-                // ½ρ(g + ∇gᵀd)² also has a linear part.
-                let amount = terms.stiffness * point.rows[row].value;
-                let column = &self.columns[index];
-                for (d, v) in self.base_du.iter_mut().zip(&column.du) {
-                    *d -= amount * v;
-                }
-                for (d, v) in self.base_dz.iter_mut().zip(&column.dz) {
-                    *d -= amount * v;
+        self.rates.clear();
+        let right = self.members.iter().map(|&row| -values(row));
+        self.rates.extend(right);
+        self.factor.solve(&mut self.rates);
+        self.changes.iter_mut().for_each(|change| *change = 0.0);
+        for (&row, &rate) in self.members.iter().zip(&self.rates) {
+            self.changes[row] = rate;
+        }
+        self.update_step(riccati, point);
+    }
+
+    /// Takes the last [`WorkingSet::correct`] back.
+    pub fn uncorrect<C: Chain<NX, NU>>(
+        &mut self,
+        riccati: &mut Riccati<NX, NU>,
+        point: &Point<C, NX, NU>,
+    ) {
+        self.changes.iter_mut().for_each(|change| *change = 0.0);
+        self.update_step(riccati, point);
+    }
+
+    fn reset<C: Chain<NX, NU>>(&mut self, point: &Point<C, NX, NU>, guess: &[f64], terms: Terms) {
+        let rows = point.rows.len();
+        for entries in [
+            &mut self.multipliers,
+            &mut self.offsets,
+            &mut self.changes,
+            &mut self.effects,
+        ] {
+            entries.clear();
+            entries.resize(rows, 0.0);
+        }
+        self.values.clear();
+        self.standings.clear();
+        self.standings.resize(rows, Standing::Idle);
+        self.members.clear();
+        self.factor.clear();
+        if terms.stiffness > 0.0 {
+            for (row, guess) in guess.iter().enumerate() {
+                if held(*guess, terms.penalty) {
+                    self.offsets[row] = -terms.stiffness * point.rows[row].value;
                 }
             }
-            self.join(point, index);
         }
+    }
+
+    /// d from the multipliers, the offsets and the changes not yet in them.
+    fn update_step<C: Chain<NX, NU>>(
+        &mut self,
+        riccati: &mut Riccati<NX, NU>,
+        point: &Point<C, NX, NU>,
+    ) {
+        let parts = self.multipliers.iter().zip(&self.offsets);
+        for (change, (multiplier, offset)) in self.changes.iter_mut().zip(parts) {
+            *change += multiplier + offset;
+        }
+        riccati.solve(
+            point,
+            Source::Step(&self.changes),
+            &mut self.du,
+            &mut self.dz,
+        );
     }
 
     /// Solves for the members' multipliers and drops or saturates those out
     /// of bounds until the rest is consistent.
-    fn repair_start<C: Chain<NX, NU>>(&mut self, point: &Point<C, NX, NU>, penalty: f64) {
+    fn repair_start(&mut self, penalty: f64) {
         loop {
-            self.scratch.clear();
-            for &member in &self.members {
-                let row = &point.rows[self.columns[member].row];
-                let mut right = -row.value - row.change(&self.base_du, &self.base_dz);
-                for other in &self.columns[..self.used] {
-                    if other.standing == Standing::Saturated {
-                        right -= penalty * row.change(&other.du, &other.dz);
-                    }
-                }
-                self.scratch.push(right);
-            }
-            self.factor.solve(&mut self.scratch);
+            self.rates.clear();
+            let right = self.members.iter().map(|&row| -self.values[row]);
+            self.rates.extend(right);
+            self.factor.solve(&mut self.rates);
             let mut worst = (0.0, None);
-            for (position, &multiplier) in self.scratch.iter().enumerate() {
+            for (position, &multiplier) in self.rates.iter().enumerate() {
                 let excess = (-multiplier).max(multiplier - penalty);
                 if excess > worst.0 {
                     worst = (excess, Some(position));
                 }
             }
             let Some(position) = worst.1 else { break };
-            let standing = if self.scratch[position] < 0.0 {
-                Standing::Idle
+            if self.rates[position] < 0.0 {
+                self.leave(position, Standing::Idle, penalty);
             } else {
-                Standing::Saturated
-            };
-            self.leave(position, standing, penalty);
+                self.leave(position, Standing::Saturated, penalty);
+                self.apply_changes();
+            }
         }
-        for (&member, &multiplier) in self.members.iter().zip(&self.scratch) {
-            self.columns[member].multiplier = multiplier;
+        for (&row, &multiplier) in self.members.iter().zip(&self.rates) {
+            self.multipliers[row] = multiplier;
+            self.changes[row] += multiplier;
+        }
+        self.apply_changes();
+    }
+
+    /// Brings the changes into the values.
+    fn apply_changes(&mut self) {
+        self.covariance.multiply(&self.changes, &mut self.effects);
+        for (value, effect) in self.values.iter_mut().zip(&self.effects) {
+            *value += effect;
+        }
+        self.changes.iter_mut().for_each(|change| *change = 0.0);
+    }
+
+    /// Adds a row to the set, unless it depends on the members.
+    fn join(&mut self, row: usize) {
+        self.covariance.column(row, &self.members, &mut self.column);
+        let diagonal = self.covariance.diagonal(row);
+        let least = DEPENDENT * diagonal;
+        if diagonal > 0.0 && self.factor.append(&self.column, diagonal, least).is_ok() {
+            self.members.push(row);
+            self.standings[row] = Standing::Active;
         }
     }
 
-    /// The index of a row's column, computed when it is first needed.
-    fn column<C: Chain<NX, NU>>(
-        &mut self,
-        riccati: &mut Riccati<NX, NU>,
-        point: &Point<C, NX, NU>,
-        row: usize,
-    ) -> usize {
-        if let Some(index) = self.column_of_row[row] {
-            return index;
-        }
-        let index = self.used;
-        if index == self.columns.len() {
-            self.columns.push(Column {
-                row,
-                du: Vec::new(),
-                dz: Vec::new(),
-                standing: Standing::Idle,
-                multiplier: 0.0,
-            });
-        }
-        self.used += 1;
-        self.column_of_row[row] = Some(index);
-        let column = &mut self.columns[index];
-        column.row = row;
-        column.standing = Standing::Idle;
-        column.multiplier = 0.0;
-        riccati.solve(
-            point,
-            Source::Row(&point.rows[row]),
-            &mut column.du,
-            &mut column.dz,
-        );
-        index
-    }
-
-    /// Adds a column to the set. False where its row depends on the members.
-    fn join<C: Chain<NX, NU>>(&mut self, point: &Point<C, NX, NU>, index: usize) -> bool {
-        let column = &self.columns[index];
-        self.scratch.clear();
-        for &member in &self.members {
-            let row = &point.rows[self.columns[member].row];
-            self.scratch.push(row.change(&column.du, &column.dz));
-        }
-        let diagonal = point.rows[column.row].change(&column.du, &column.dz);
-        let joined = diagonal > 0.0
-            && self
-                .factor
-                .append(&self.scratch, diagonal, DEPENDENT * diagonal)
-                .is_ok();
-        if joined {
-            self.members.push(index);
-            self.columns[index].standing = Standing::Active;
-        }
-        joined
-    }
-
+    /// Takes a member out of the set, with its multiplier at its bound.
     fn leave(&mut self, position: usize, standing: Standing, penalty: f64) {
-        let index = self.members.remove(position);
+        let row = self.members.remove(position);
         self.factor.remove(position);
-        self.columns[index].standing = standing;
-        self.columns[index].multiplier = match standing {
+        self.settle(row, standing, penalty);
+    }
+
+    /// Sets a row's multiplier to the bound it stands at.
+    fn settle(&mut self, row: usize, standing: Standing, penalty: f64) {
+        self.standings[row] = standing;
+        let bound = match standing {
             Standing::Saturated => penalty,
             _ => 0.0,
         };
-    }
-
-    /// d = d_0 + Σ λ V.
-    fn combine(&mut self) {
-        self.du.clone_from(&self.base_du);
-        self.dz.clone_from(&self.base_dz);
-        for column in &self.columns[..self.used] {
-            let multiplier = column.multiplier;
-            if multiplier != 0.0 {
-                for (d, v) in self.du.iter_mut().zip(&column.du) {
-                    *d += multiplier * v;
-                }
-                for (d, v) in self.dz.iter_mut().zip(&column.dz) {
-                    *d += multiplier * v;
-                }
-            }
-        }
+        self.changes[row] += bound - self.multipliers[row];
+        self.multipliers[row] = bound;
     }
 
     /// The row whose optimality fails most: an idle one below zero, or a
     /// saturated one above.
-    fn most_violated<C: Chain<NX, NU>>(
-        &self,
-        point: &Point<C, NX, NU>,
-        tolerance: f64,
-    ) -> Option<usize> {
+    fn most_violated(&self, tolerance: f64) -> Option<usize> {
         let mut worst = (tolerance, None);
-        for (index, row) in point.rows.iter().enumerate() {
-            let standing =
-                self.column_of_row[index].map_or(Standing::Idle, |c| self.columns[c].standing);
-            if standing == Standing::Active {
-                continue;
-            }
-            let value = row.value + row.change(&self.du, &self.dz);
-            let failure = if standing == Standing::Idle {
-                -value
-            } else {
-                value
+        for (row, (standing, value)) in self.standings.iter().zip(&self.values).enumerate() {
+            let failure = match standing {
+                Standing::Active => continue,
+                Standing::Idle => -value,
+                Standing::Saturated => *value,
             };
             if failure > worst.0 {
-                worst = (failure, Some(index));
+                worst = (failure, Some(row));
             }
         }
         worst.1
@@ -339,85 +304,77 @@ impl<const NX: usize, const NU: usize> WorkingSet<NX, NU> {
 
     /// Moves one row's multiplier, and the members' with it, until the row is
     /// met or cannot be.
-    fn enter<C: Chain<NX, NU>>(
-        &mut self,
-        riccati: &mut Riccati<NX, NU>,
-        point: &Point<C, NX, NU>,
-        row: usize,
-        penalty: f64,
-    ) {
-        let index = self.column(riccati, point, row);
+    fn enter(&mut self, row: usize, penalty: f64) {
         // A saturated row that is met too well gives its multiplier back.
-        let sign = match self.columns[index].standing {
+        let sign = match self.standings[row] {
             Standing::Saturated => -1.0,
             _ => 1.0,
         };
-        let mut value = point.rows[row].value + point.rows[row].change(&self.du, &self.dz);
-        let diagonal = {
-            let column = &self.columns[index];
-            point.rows[row].change(&column.du, &column.dz)
-        };
+        let mut value = self.values[row];
+        let diagonal = self.covariance.diagonal(row);
         loop {
-            self.scratch.clear();
-            for &member in &self.members {
-                let other = &point.rows[self.columns[member].row];
-                let column = &self.columns[index];
-                self.scratch.push(other.change(&column.du, &column.dz));
-            }
-            let mut pivot = diagonal;
-            let start = self.scratch.len();
-            self.scratch.extend_from_within(..);
-            self.factor.solve(&mut self.scratch[..start]);
-            for i in 0..start {
-                pivot -= self.scratch[i] * self.scratch[start + i];
-            }
-            let (mut reach, mut limit) = if pivot > DEPENDENT * diagonal {
-                (-sign * value / pivot, Limit::Met)
+            self.covariance.column(row, &self.members, &mut self.column);
+            self.rates.clone_from(&self.column);
+            self.factor.solve(&mut self.rates);
+            let known: f64 = self
+                .column
+                .iter()
+                .zip(&self.rates)
+                .map(|(a, b)| a * b)
+                .sum();
+            let pivot = diagonal - known;
+            let reach = if pivot > DEPENDENT * diagonal {
+                -sign * value / pivot
             } else {
-                (f64::INFINITY, Limit::Met)
+                f64::INFINITY
             };
-            let multiplier = self.columns[index].multiplier;
-            let own = if sign > 0.0 {
-                (penalty - multiplier, Standing::Saturated)
-            } else {
-                (multiplier, Standing::Idle)
-            };
-            if own.0 < reach {
-                (reach, limit) = (own.0, Limit::Own(own.1));
+            let (reach, limit) = self.nearest_limit(row, sign, reach, penalty);
+            for (&member, &rate) in self.members.iter().zip(&self.rates) {
+                self.multipliers[member] -= sign * reach * rate;
+                self.changes[member] -= sign * reach * rate;
             }
-            for (position, &member) in self.members.iter().enumerate() {
-                let rate = -sign * self.scratch[position];
-                let multiplier = self.columns[member].multiplier;
-                let (room, standing) = if rate < 0.0 {
-                    (multiplier / -rate, Standing::Idle)
-                } else {
-                    ((penalty - multiplier) / rate, Standing::Saturated)
-                };
-                if rate != 0.0 && room < reach {
-                    (reach, limit) = (room, Limit::Member(position, standing));
-                }
-            }
-            let reach = reach.max(0.0);
-            for (position, &member) in self.members.iter().enumerate() {
-                self.columns[member].multiplier -= sign * reach * self.scratch[position];
-            }
-            self.columns[index].multiplier += sign * reach;
+            self.multipliers[row] += sign * reach;
+            self.changes[row] += sign * reach;
             value += sign * reach * pivot;
             match limit {
                 Limit::Met => {
-                    self.join(point, index);
-                    return;
+                    self.join(row);
+                    break;
                 }
                 Limit::Own(standing) => {
-                    self.columns[index].standing = standing;
-                    self.columns[index].multiplier = match standing {
-                        Standing::Saturated => penalty,
-                        _ => 0.0,
-                    };
-                    return;
+                    self.settle(row, standing, penalty);
+                    break;
                 }
                 Limit::Member(position, standing) => self.leave(position, standing, penalty),
             }
         }
+        self.apply_changes();
+    }
+
+    /// How far a row's multiplier can move towards `reach`, where the row is
+    /// met, before it or a member's runs into a bound; and what stops it.
+    fn nearest_limit(&self, row: usize, sign: f64, reach: f64, penalty: f64) -> (f64, Limit) {
+        let (mut reach, mut limit) = (reach, Limit::Met);
+        let own = if sign > 0.0 {
+            (penalty - self.multipliers[row], Standing::Saturated)
+        } else {
+            (self.multipliers[row], Standing::Idle)
+        };
+        if own.0 < reach {
+            (reach, limit) = (own.0, Limit::Own(own.1));
+        }
+        for (position, (&member, &rate)) in self.members.iter().zip(&self.rates).enumerate() {
+            let rate = -sign * rate;
+            let multiplier = self.multipliers[member];
+            let (room, standing) = if rate < 0.0 {
+                (multiplier / -rate, Standing::Idle)
+            } else {
+                ((penalty - multiplier) / rate, Standing::Saturated)
+            };
+            if rate != 0.0 && room < reach {
+                (reach, limit) = (room, Limit::Member(position, standing));
+            }
+        }
+        (reach.max(0.0), limit)
     }
 }

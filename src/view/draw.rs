@@ -1,0 +1,393 @@
+//! From a solution to its picture. Decides what is shown and how large it is
+//! in the world; colours are [`super::Theme`]'s business.
+
+use super::bounds::Bounds;
+use super::drawing::{
+    Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Role, Spot, Standing,
+};
+use super::path::{Outline, Path, clip_half_plane, hatching, outline};
+use super::quantity::{Quantity, one_two_five};
+use crate::equilibrium::{Certificate, Class, Contact, Solution, Status};
+use crate::geometry::Vector;
+use crate::model::{Element, Line, PlanarNode, Problem};
+use crate::scene::Scene;
+use crate::units::{METRES_PER_MM, degrees, millimetres};
+
+/// Length of the longest arrow, over the backbone's length.
+const ARROW: f64 = 0.16;
+/// How far around the robot obstacles are shown, over the backbone's length.
+const SURROUNDINGS: f64 = 0.5;
+/// How much of a wall is shown, over the backbone's length.
+const WALL_DEPTH: f64 = 0.06;
+/// Margin around everything, over the larger side of the picture.
+const MARGIN: f64 = 0.05;
+/// Arrows whose multiplier is below this share of the greatest have no number.
+const LABELLED: f64 = 0.02;
+/// Most numbers on contacts, the greatest first.
+const MOST_LABELS: usize = 8;
+
+/// What a picture shows that neither the problem nor the solution knows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Notes {
+    /// The title.
+    pub title: Option<String>,
+    /// The obstacles' names, in the order of the problem; may be shorter.
+    pub names: Vec<Option<String>>,
+    /// Where the tip has been, in metres.
+    pub tip_trace: Vec<Vector>,
+}
+
+impl Notes {
+    /// The title and names of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        Self {
+            title: scene.title.clone(),
+            names: scene.obstacles.iter().map(|o| o.name.clone()).collect(),
+            tip_trace: Vec::new(),
+        }
+    }
+}
+
+/// The picture of a solution. A solution without nodes shows the obstacles
+/// alone.
+pub fn draw(problem: &Problem, solution: &Solution, notes: &Notes) -> Drawing {
+    let nodes = &solution.nodes[..];
+    let sizes = Sizes::of(problem);
+    let most = solution.contacts.iter().map(|c| c.multiplier);
+    let most = most.fold(0.0, f64::max);
+    let share = |contact: &Contact| {
+        if most > 0.0 {
+            (contact.multiplier / most).clamp(0.0, 1.0)
+        } else {
+            0.0
+        }
+    };
+    let mut marks = Vec::new();
+    for (index, obstacle) in problem.obstacles().iter().enumerate() {
+        let geometry = match outline(obstacle) {
+            Outline::Closed(path) => Geometry::Path(path),
+            Outline::HalfPlane { point, normal } => Geometry::HalfPlane { point, normal },
+        };
+        marks.push(mark(Role::Obstacle(index), geometry, 0.0));
+    }
+    add_base(&mut marks, nodes, &sizes);
+    add_path(
+        &mut marks,
+        Role::TipTrace,
+        notes.tip_trace.iter().copied(),
+        0.0,
+    );
+    for (index, node) in nodes.iter().enumerate() {
+        if problem.robot().has_disk(index) {
+            let touching = solution.contacts.iter().filter(|c| touches_disk(c, index));
+            let role = match touching.map(share).reduce(f64::max) {
+                Some(share) => Role::TouchedDisk(share),
+                None => Role::Disk,
+            };
+            let across = Path::line(node.at(-sizes.rim), node.at(sizes.rim));
+            marks.push(mark(role, Geometry::Path(across), sizes.disk));
+        }
+    }
+    let cable = solution.cable(problem.robot().offset);
+    add_path(&mut marks, Role::Cable, cable, sizes.cable);
+    add_path(
+        &mut marks,
+        Role::Backbone,
+        solution.backbone(),
+        sizes.backbone,
+    );
+    if let Some((tip, before)) = nodes.split_last() {
+        let dot = |role, at| mark(role, Geometry::Dot(at), 0.0);
+        marks.extend(before.iter().map(|node| dot(Role::Node, node.position)));
+        marks.push(dot(Role::Tip, tip.position));
+    }
+    for contact in &solution.contacts {
+        if contact.class == Class::Pressing {
+            let tail = contact.point;
+            let tip = tail + share(contact) * ARROW * problem.length() * contact.normal;
+            let role = Role::Force(share(contact));
+            marks.push(mark(role, Geometry::Arrow { tail, tip }, 0.0));
+        }
+    }
+    for contact in &solution.contacts {
+        let role = Role::Contact {
+            share: share(contact),
+            class: contact.class,
+        };
+        marks.push(mark(role, Geometry::Dot(contact.point), 0.0));
+    }
+    let bounds = bounds(problem, &marks);
+    let size = bounds.size();
+    Drawing {
+        bounds,
+        grid: one_two_five(size.max() / 8.0),
+        scale_bar: one_two_five((0.35 * size.x).min(0.3 * size.y)),
+        labels: labels(solution, notes, &marks, most, bounds),
+        most: (most > 0.0).then(|| multiplier(most)),
+        caption: caption(problem, solution, notes),
+        standing: standing(solution),
+        marks,
+    }
+}
+
+/// What is known of the robot's thickness, in metres. The problem keeps it in
+/// what may touch, so it is zero where only nodes may.
+struct Sizes {
+    /// Half-length of a disk.
+    rim: f64,
+    disk: f64,
+    cable: f64,
+    backbone: f64,
+}
+
+impl Sizes {
+    fn of(problem: &Problem) -> Self {
+        let mut sizes = Self {
+            rim: problem.robot().offset,
+            disk: 0.0,
+            cable: 0.0,
+            backbone: 0.0,
+        };
+        for candidate in problem.candidates() {
+            let thickness = 2.0 * candidate.radius;
+            match (candidate.line, candidate.element) {
+                (Line::Disk, Element::Across { lever }) => {
+                    sizes.rim = sizes.rim.max(lever);
+                    sizes.disk = sizes.disk.max(thickness);
+                }
+                (Line::CableLink, _) => sizes.cable = sizes.cable.max(thickness),
+                (Line::BackboneLink, _) => sizes.backbone = sizes.backbone.max(thickness),
+                _ => {}
+            }
+        }
+        sizes
+    }
+}
+
+fn mark(role: Role, geometry: Geometry, thickness: f64) -> Mark {
+    Mark {
+        role,
+        geometry,
+        thickness,
+    }
+}
+
+fn add_path(
+    marks: &mut Vec<Mark>,
+    role: Role,
+    points: impl Iterator<Item = Vector>,
+    thickness: f64,
+) {
+    if let Some(path) = Path::through(points)
+        && !path.pieces.is_empty()
+    {
+        marks.push(mark(role, Geometry::Path(path), thickness));
+    }
+}
+
+fn add_base(marks: &mut Vec<Mark>, nodes: &[PlanarNode], sizes: &Sizes) {
+    let [base, next, ..] = nodes else { return };
+    // Behind the base, whichever way the robot leaves it.
+    let normal = base.normal();
+    let into = -normal * normal.dot(&(next.position - base.position)).signum();
+    let (from, to) = (base.at(-1.6 * sizes.rim), base.at(1.6 * sizes.rim));
+    let ground = Path::line(from, to);
+    marks.push(mark(Role::Base, Geometry::Path(ground), 0.0));
+    let strokes = hatching([from, to], into, 0.4 * sizes.rim, 0.4 * sizes.rim);
+    for [from, to] in strokes {
+        let stroke = Geometry::Path(Path::line(from, to));
+        marks.push(mark(Role::BaseHatch, stroke, 0.0));
+    }
+}
+
+/// Whether a contact is on a node's disk, not on a link between nodes.
+fn touches_disk(contact: &Contact, node: usize) -> bool {
+    let on_link = matches!(contact.line, Line::BackboneLink | Line::CableLink);
+    contact.node == node && !on_link
+}
+
+/// The robot, its arrows, and what is near of the obstacles.
+fn bounds(problem: &Problem, marks: &[Mark]) -> Bounds {
+    let length = problem.length();
+    let everywhere = Bounds::EMPTY;
+    let of = |mark: &Mark| Bounds::of(mark.geometry.points(1e-3 * length, &everywhere));
+    let robot = marks
+        .iter()
+        .filter(|mark| !matches!(mark.role, Role::Obstacle(_)))
+        .map(of)
+        .fold(Bounds::EMPTY, Bounds::and);
+    let robot = if robot.is_empty() {
+        let base = problem.robot().base.position;
+        Bounds::of([base]).grown(0.5 * length)
+    } else {
+        robot
+    };
+    let near = robot.grown(SURROUNDINGS * length);
+    let mut all = robot;
+    for mark in marks {
+        match (mark.role, &mark.geometry) {
+            (_, Geometry::HalfPlane { point, normal }) => {
+                // The wall beside the robot, a little deep.
+                let shown = clip_half_plane(*point, *normal, &near.corners());
+                if shown.surface.is_some() {
+                    for corner in robot.corners() {
+                        let height = normal.dot(&(corner - point));
+                        let foot = corner - (height + WALL_DEPTH * length) * normal;
+                        if near.holds(foot) {
+                            all = all.with(foot);
+                        }
+                    }
+                }
+            }
+            (Role::Obstacle(_), _) => {
+                let shown = of(mark).within(near);
+                if !shown.is_empty() {
+                    all = all.and(shown);
+                }
+            }
+            _ => {}
+        }
+    }
+    all.grown(MARGIN * all.size().max())
+}
+
+/// λ per millimetre, as it is written.
+fn multiplier(value: f64) -> Quantity {
+    Quantity::significant(value * METRES_PER_MM, "rad²/mm")
+}
+
+fn labels(
+    solution: &Solution,
+    notes: &Notes,
+    marks: &[Mark],
+    most: f64,
+    bounds: Bounds,
+) -> Vec<Label> {
+    let mut labels = Vec::new();
+    let mut pressing: Vec<&Contact> = solution
+        .contacts
+        .iter()
+        .filter(|c| c.class == Class::Pressing && c.multiplier >= LABELLED * most)
+        .collect();
+    pressing.sort_by(|a, b| b.multiplier.total_cmp(&a.multiplier));
+    let arrows = marks.iter().filter_map(|mark| match mark.geometry {
+        Geometry::Arrow { tail, tip } => Some((tail, tip)),
+        _ => None,
+    });
+    let arrows: Vec<_> = arrows.collect();
+    for contact in pressing.into_iter().take(MOST_LABELS) {
+        let tip = arrows.iter().find(|(tail, _)| *tail == contact.point);
+        labels.push(Label {
+            text: LabelText::Value(multiplier(contact.multiplier)),
+            spot: Spot::Beyond {
+                point: tip.map_or(contact.point, |(_, tip)| *tip),
+                towards: contact.normal,
+            },
+        });
+    }
+    for mark in marks {
+        let Role::Obstacle(index) = mark.role else {
+            continue;
+        };
+        let extent = match &mark.geometry {
+            Geometry::HalfPlane { point, normal } => {
+                let shown = clip_half_plane(*point, *normal, &bounds.corners());
+                Bounds::of(shown.area)
+            }
+            geometry => Bounds::of(geometry.points(1e-4, &bounds)).within(bounds),
+        };
+        if let Some(Some(name)) = notes.names.get(index)
+            && !extent.is_empty()
+        {
+            labels.push(Label {
+                text: LabelText::Name(name.clone()),
+                spot: Spot::Inside(extent),
+            });
+        }
+    }
+    labels
+}
+
+fn caption(problem: &Problem, solution: &Solution, notes: &Notes) -> Caption {
+    let mm = |value| Quantity::fixed(millimetres(value), 2, "mm");
+    let mut facts = vec![Fact {
+        name: "pull",
+        value: mm(solution.pull),
+    }];
+    // To the digits shown.
+    if facts[0].value != mm(problem.pull()) {
+        facts.push(Fact {
+            name: "of",
+            value: mm(problem.pull()),
+        });
+    }
+    if let Some(tip) = solution.nodes.last() {
+        let turned = degrees(problem.robot().base.angle - tip.angle);
+        for (name, value) in [
+            ("tip x", mm(tip.position.x)),
+            ("y", mm(tip.position.y)),
+            ("bend", Quantity::fixed(turned, 1, "°")),
+        ] {
+            facts.push(Fact { name, value });
+        }
+    }
+    Caption {
+        title: notes.title.clone(),
+        facts,
+        note: note(problem),
+    }
+}
+
+/// Which nodes obstacles keep out, where it is not all of them: the others are
+/// drawn inside obstacles that they pass through.
+fn note(problem: &Problem) -> Option<String> {
+    let candidates = problem.candidates();
+    if problem.obstacles().is_empty() || candidates.len() >= 2 * problem.robot().segments {
+        return None;
+    }
+    let names: Vec<String> = candidates
+        .iter()
+        .map(|candidate| format!("{} node {}", candidate.line.name(), candidate.node))
+        .collect();
+    Some(match names.len() {
+        0 => "obstacles keep nothing out".to_owned(),
+        1..=3 => format!("obstacles keep out only {}", names.join(", ")),
+        count => format!("obstacles keep out only {count} nodes"),
+    })
+}
+
+fn standing(solution: &Solution) -> Standing {
+    let certificate = &solution.certificate;
+    if solution.status == Status::Converged && certificate.holds() && !solution.nodes.is_empty() {
+        return Standing::Certified;
+    }
+    let what = match &solution.status {
+        Status::Converged => "Not certified",
+        Status::Unfinished => "Unfinished",
+        Status::Infeasible { .. } => "Infeasible",
+        Status::BranchEnded { .. } => "Branch ended",
+        Status::IterationLimit => "Iteration limit",
+        Status::NumericalFailure => "Numerical failure",
+    };
+    let reason = match &solution.status {
+        Status::Converged => format!("not certified: {}", refused(certificate)),
+        status => status.reason(),
+    };
+    Standing::Greyed { what, reason }
+}
+
+/// Why a certificate does not hold.
+fn refused(certificate: &Certificate) -> String {
+    if certificate.residual() > Certificate::BOUND {
+        let residual = Quantity::significant(certificate.residual(), "");
+        let bound = Quantity::significant(Certificate::BOUND, "");
+        format!(
+            "the optimality residual is {}, over {}",
+            residual.digits, bound.digits
+        )
+    } else if !certificate.orientation {
+        "a segment is assembled the wrong way round".to_owned()
+    } else {
+        "the shape is balanced but not a minimum of the energy".to_owned()
+    }
+}

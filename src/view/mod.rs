@@ -1,0 +1,24 @@
+//! From a solution to plain draw data: what the canvas, the SVG export and the
+//! text snapshots all draw. Knows no window and no file.
+//!
+//! [`draw`] makes a [`Drawing`]: marks in the world, in metres, with what they
+//! mean. A [`Theme`] says how each role looks; [`place_labels`] finds room for
+//! the text once letters have a size.
+
+mod bounds;
+mod draw;
+mod drawing;
+mod frame;
+mod labels;
+mod path;
+mod quantity;
+mod theme;
+
+pub use bounds::Bounds;
+pub use draw::{Notes, draw};
+pub use drawing::{Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Role, Spot, Standing};
+pub use frame::Frame;
+pub use labels::{Placed, place_labels};
+pub use path::{Clipped, Outline, Path, Piece, circle, clip_half_plane, hatching, outline};
+pub use quantity::{Quantity, one_two_five};
+pub use theme::{Arrowhead, Colour, Palette, Style, Theme};
