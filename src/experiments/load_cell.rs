@@ -107,7 +107,7 @@ fn about_friction(estimator: &VirtualWork, table: &ForceTable) -> Result<String,
 pub(super) fn figure_9() -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::LoadCell.problem()?;
     let onset = onset(&problem)?;
-    let (at_onset, touching) = solved_at(&problem, onset)?;
+    let (_, touching) = solved_at(&problem, onset)?;
     let cell = touching
         .contacts
         .first()
@@ -151,17 +151,15 @@ pub(super) fn figure_9() -> Result<Item, ExperimentError> {
     ];
     let pull_mm = scene.actuation.pull_mm;
     let (there, pressed) = solved_at(&problem, pull_mm)?;
-    let mut pictures = vec![picture("touching", &scene, at_onset, touching)];
-    pictures.push(picture("pressed", &scene, there, pressed));
     Ok(Item {
         id: Id::Fig9,
         title: "The robot against the load cell",
         about: "Eq. 12: the cable's point at the paper's 15th node may not pass x = 26 mm. Shown \
-                where it touches, and farther on."
+                after it has begun to press."
             .to_owned(),
         checks,
         charts: Vec::new(),
-        pictures,
+        pictures: vec![picture("robot", &scene, there, pressed)],
         notes: vec![
             format!(
                 "The cell is said to stand 127 mm above the base; the node, 140 mm along the robot, \

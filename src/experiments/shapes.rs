@@ -257,7 +257,7 @@ fn contact_checks(problem: &Problem, solution: &Solution) -> Vec<Check> {
                     "",
                     share,
                 )
-                .decimals(4),
+                .decimals(6),
             );
         }
     }
