@@ -40,9 +40,13 @@
 //! - [`scene`]: the scene file: its types, its checks, its schema.
 //! - [`model`]: the robot of eq. 4 and 5 as a chain, from a scene.
 //! - [`equilibrium`]: from a problem to a certified solution, step by step.
+//! - [`forces`]: newtons, from multipliers with a bending stiffness and from
+//!   kinematics by virtual work; the balance of the whole robot.
+//! - [`experiments`]: the paper's figures and table as data, and measured
+//!   shapes against computed ones.
 //! - [`view`]: a solution as plain draw data: marks in the world and what they
 //!   mean, the same for every picture.
-//! - [`report`]: drawings as files' contents, SVG and PNG.
+//! - [`report`]: drawings, charts and pages as the contents of files.
 //! - `cli`: the command line. Only with the feature `cli`, which is on by
 //!   default.
 //!
@@ -88,6 +92,13 @@
 //! | | [`equilibrium::Solution::shears`] | ψ, backbone link against disks |
 //! | | [`equilibrium::Solution::turns`] | τ, the one unknown of a segment |
 //! | | [`equilibrium::Solution::energy`] | J = Σ β², what is minimised |
+//! | P_l | [`forces::VirtualWork::force`]'s `load` | the weight on the cable, from contact on |
+//! | P_x, P_y | [`forces::PressingForce`] | what the robot exerts on an obstacle |
+//! | f′_x, f′_y, f′_θ | [`forces::Rates`] | motion of a node per pull |
+//! | μ | [`forces::VirtualWork::friction`] | P_y / P_x |
+//! | R_x, R_y, M_r | [`forces::Statics::clamp`] | reaction at the base |
+//! | B | [`forces::Stiffness`] | EI, bending stiffness |
+//! | | [`forces::Statics::tension`] | T = (EI/2l_0) dJ/dl |
 //! | | [`equilibrium::Contact::multiplier`] | λ, how J rises with the clearance asked for |
 
 #![warn(clippy::unwrap_used, clippy::expect_used)]
@@ -95,6 +106,8 @@
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod equilibrium;
+pub mod experiments;
+pub mod forces;
 pub mod geometry;
 pub mod math;
 pub mod model;

@@ -30,3 +30,27 @@ pub fn degrees(radians: f64) -> f64 {
 pub fn per_millimetre(per_metre: f64) -> f64 {
     per_metre * METRES_PER_MM
 }
+
+/// Newtons in the weight of a gram, with the standard acceleration of gravity,
+/// 9.80665 m/s².
+pub const NEWTONS_PER_GRAM: f64 = 9.80665e-3;
+
+/// Newtons from the weight of so many grams.
+pub fn newtons(grams: f64) -> f64 {
+    grams * NEWTONS_PER_GRAM
+}
+
+/// The grams that weigh so many newtons.
+pub fn grams(newtons: f64) -> f64 {
+    newtons / NEWTONS_PER_GRAM
+}
+
+/// N·m² from N·mm².
+pub fn newton_square_metres(newton_square_millimetres: f64) -> f64 {
+    newton_square_millimetres * METRES_PER_MM * METRES_PER_MM
+}
+
+/// N·mm² from N·m².
+pub fn newton_square_millimetres(newton_square_metres: f64) -> f64 {
+    newton_square_metres / (METRES_PER_MM * METRES_PER_MM)
+}

@@ -644,7 +644,8 @@ fn pictures_come_as_svg_and_png() {
     check_refused(
         &["draw", &scene, "-o", "two-discs.jpg"],
         b"",
-        "the picture's name must end in .svg or .png, or be - for an SVG on standard output",
+        "two-discs.jpg does not say what to draw; end it in .svg or .png, or write - for an SVG on \
+         standard output",
     );
 }
 
@@ -655,4 +656,254 @@ fn the_readmes_picture_is_of_the_present_state() {
     let drawn = check(&["draw", &asset("two-discs"), "-o", "-"], 0).out;
     let kept = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/pictures/two-discs.svg");
     assert!(fs::read_to_string(kept).unwrap() == drawn, "renew {kept}");
+}
+
+#[test]
+fn forces_come_as_text_json_and_csv() {
+    let scene = asset("load-cell");
+    let measured = ["force", &scene, "--measured", "250:17.8", "--rod", "2.2:3"];
+    let with = |format| [&measured[..], &["--format", format]].concat();
+    let text = check(&measured, 0).out;
+    for part in ["17.80", "mu", "caution", "disk 8, cable side, on load cell"] {
+        assert!(text.contains(part), "{part} in {text}");
+    }
+    let found = json(&with("json"), 0);
+    assert_eq!(found["schema"], "sinew-force-1");
+    let rows = list(&found["loads"]);
+    assert_eq!(rows.len(), 7);
+    for row in rows {
+        let (load, force) = (number(&row["load_g"]), number(&row["force_x_g"]));
+        assert!((force - 0.0712 * load).abs() < 1e-9 * load);
+        let by_multipliers = &row["multipliers"];
+        let tension = number(&by_multipliers["tension_g"]);
+        let datum = number(&found["by_multipliers"]["datum_g"]);
+        assert!((tension - datum - load).abs() < 1e-4);
+        for left in ["unbalanced_force", "unbalanced_moment"] {
+            assert!(number(&by_multipliers[left]) <= 1e-9);
+        }
+    }
+    let table = check(&with("csv"), 0).out;
+    assert_eq!(table.lines().count(), 8);
+    let head = "load_g,virtual_work_x_g,virtual_work_y_g,pull_mm,tension_g,multipliers_g";
+    assert_eq!(table.lines().next(), Some(head));
+    check(
+        &[
+            "force", &scene, "--motion", "contact", "--window", "3:6", "--node", "14",
+        ],
+        0,
+    );
+    check(
+        &["force", &scene, "--weighed", "350:6.5", "--loads", "10,20"],
+        0,
+    );
+}
+
+#[test]
+fn forces_that_cannot_be_estimated_are_told() {
+    let scene = asset("free");
+    let refused = |options: &[&str], sentence| {
+        check_refused(&[&["force", &scene], options].concat(), b"", sentence);
+    };
+    refused(
+        &["--loads", "50,0"],
+        "load 2 of --loads is 0 g; loads count from contact and are positive",
+    );
+    refused(
+        &["--loads", "many"],
+        "--loads is \"many\"; write FIRST:LAST:STEP or a list such as 50,100,350, in grams",
+    );
+    refused(
+        &["--window", "1"],
+        "--window is \"1\"; write two numbers as 0:10",
+    );
+    refused(
+        &["--window", "2:2"],
+        "the window from 2.000 to 2.000 mm of pull: all 41 points of the fit have the same \
+         abscissa; widen it or sweep in smaller steps",
+    );
+    refused(
+        &["--node", "19"],
+        "node 19 does not move or is not there; the robot's nodes that move are 1 to 18",
+    );
+    refused(
+        &["--measured", "250:0"],
+        "a load of 250 g with a force of 0 g cannot calibrate mu; both have to be positive",
+    );
+    refused(
+        &["--ei", "0"],
+        "a bending stiffness of 0 N mm² is not positive and finite; give one that is",
+    );
+    let ran = check(
+        &["force", &scene, "--friction", "1", "--measured", "1:1"],
+        2,
+    );
+    assert!(ran.err.contains("cannot be used with"));
+}
+
+#[test]
+fn a_measured_backbone_is_compared_with_the_computed_one() {
+    let scene = asset("free");
+    let computed = check(&["solve", &scene, "--pull", "7.3", "--format", "csv"], 0).out;
+    let points: String = computed
+        .lines()
+        .skip(1)
+        .map(|line| {
+            let fields: Vec<_> = line.split(',').collect();
+            format!("{},{},{}\n", fields[0], fields[1], fields[2])
+        })
+        .collect();
+    let file = temporary("measured.csv");
+    fs::write(&file, format!("node,x_mm,y_mm\n{points}")).unwrap();
+    let path = file.to_str().unwrap();
+    let picture = temporary("measured.svg");
+    let drawn = picture.to_str().unwrap();
+    let found = json(
+        &["compare", &scene, path, "--format", "json", "--out", drawn],
+        0,
+    );
+    assert_eq!(found["schema"], "sinew-compare-1");
+    assert_eq!(found["pull"], "best fit");
+    assert!((number(&found["pull_mm"]) - 7.3).abs() < 1e-5);
+    assert!(number(&found["rms_mm"]) < 1e-5);
+    assert!(fs::read_to_string(&picture).unwrap().starts_with("<svg"));
+    let given = json(
+        &["compare", &scene, path, "--pull", "5", "--format", "json"],
+        0,
+    );
+    assert_eq!(given["pull"], "given");
+    let (rms, max) = (number(&given["rms_mm"]), number(&given["max_mm"]));
+    assert!(1.0 < rms && rms < max);
+    assert!((number(&given["rms_percent_of_length"]) - rms / 1.8).abs() < 1e-9);
+    assert!(
+        check(&["compare", &scene, path], 0)
+            .out
+            .contains("best fit")
+    );
+    let rows = check(&["compare", &scene, path, "--format", "csv"], 0).out;
+    assert_eq!(rows.lines().count(), 20);
+}
+
+#[test]
+fn measured_points_that_make_no_sense_are_refused_by_row() {
+    let scene = asset("free");
+    for (points, sentence) in [
+        (
+            "",
+            "there are no measured points; give at least 3, base to tip",
+        ),
+        (
+            "x_mm,y_mm\n0,0\n1,9\n",
+            "there are only 2 measured points, which no shape can be told from; give at least 3",
+        ),
+        (
+            "x_mm,y_mm\n0,0\n1;9\n",
+            "row 3: x_mm is \"1;9\", which is not a number; write numbers as 12.5",
+        ),
+        ("0,0\n# a remark\n1,9\n2\n", "row 4: y_mm is missing"),
+        (
+            "0,0\n1,9\n0,0\n",
+            "row 3 is the same point as row 1; leave one of them out",
+        ),
+        (
+            "0,0\n0,90\n0,40\n",
+            "row 3 turns back along the robot; order rows from base to tip",
+        ),
+        (
+            "0,0\n0,10\n0,20000\n",
+            "row 3 is 20000.0 mm from the base, and the robot is 180.0 mm long; check its unit (mm) \
+             and its origin (the scene's)",
+        ),
+        (
+            "node,x_mm,y_mm\n0,0,0\n1.5,0,10\n",
+            "row 3: node is 1.5; nodes count 0, 1, 2 and so on from the base",
+        ),
+        (
+            "left,right\n1,2\n",
+            "row 1: the head names no columns x_mm and y_mm (a column node may be there too)",
+        ),
+    ] {
+        let args = ["compare", &scene, "-"];
+        let told = format!("standard input: {sentence}");
+        check_refused(&args, points.as_bytes(), &told);
+    }
+    check_refused(
+        &["compare", "-", "-"],
+        b"",
+        "the scene and the measured backbone cannot both be standard input",
+    );
+    check_refused(
+        &["compare", &scene, "nowhere.csv"],
+        b"",
+        "nowhere.csv: there is no such file",
+    );
+}
+
+#[test]
+fn the_papers_figures_are_reproduced_into_a_report() {
+    let folder = temporary("report");
+    let out = folder.to_str().unwrap();
+    let text = check(&["reproduce", "--out", out], 0).out;
+    for name in [
+        "Fig. 3b", "Fig. 4a", "Fig. 4b", "Fig. 5", "Fig. 7", "Fig. 9", "Fig. 10a", "Fig. 10b",
+        "Table 1",
+    ] {
+        assert!(text.contains(&format!("{name}  ")), "{name}");
+    }
+    let page = fs::read_to_string(folder.join("report.html")).unwrap();
+    // Everything it shows is inside: only its own data is linked.
+    for outside in [
+        "src=\"http",
+        "href=\"http",
+        "<script",
+        "@import",
+        "url(http",
+    ] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    assert!(page.contains("<svg") && page.contains("prefers-color-scheme"));
+    for name in ["data/table1-force.csv", "data/table1-comparison.csv"] {
+        assert!(folder.join(name).is_file(), "{name}");
+    }
+    for link in page.split("href=\"data/").skip(1) {
+        let name = link.split('"').next().unwrap();
+        assert!(folder.join("data").join(name).is_file(), "{name}");
+    }
+    let some = json(
+        &[
+            "reproduce",
+            "Fig. 4b",
+            "table1",
+            "--out",
+            out,
+            "--format",
+            "json",
+        ],
+        0,
+    );
+    assert_eq!(some["schema"], "sinew-reproduce-1");
+    let ids: Vec<_> = list(&some["items"]).iter().map(|i| &i["id"]).collect();
+    assert_eq!(ids, ["fig4b", "table1"]);
+    let errors = list(&some["items"][1]["checks"]).iter();
+    let theory = errors.filter(|c| c["quantity"].as_str().unwrap().starts_with("Theory at"));
+    let differences: Vec<_> = theory.map(|c| number(&c["difference"])).collect();
+    assert_eq!(differences.len(), 7);
+    assert!(
+        differences.iter().all(|d| d.abs() <= 0.1),
+        "{differences:?}"
+    );
+    check_refused(
+        &["reproduce", "fig6", "--out", out],
+        b"",
+        "fig6 is no figure or table that can be recomputed; choose from fig3b, fig4a, fig4b, \
+         fig5, fig7, fig9, fig10a, fig10b, table1",
+    );
+    let file = temporary("in-the-way");
+    fs::write(&file, "").unwrap();
+    let ran = sinew(&["reproduce", "fig5", "--out", file.to_str().unwrap()], b"");
+    assert_eq!(ran.code, 1);
+    assert!(
+        ran.err.starts_with("error: cannot write the results: "),
+        "{}",
+        ran.err
+    );
 }

@@ -10,9 +10,13 @@ Examples:
   sinew solve two-discs.toml --format json    the same for programs
   sinew draw two-discs.toml -o two-discs.svg  a picture
   sinew check two-discs.toml                  every fault of a scene file
+  sinew draw two-discs.toml -o robot.svg      a picture
+  sinew force load-cell.toml                  contact force against load
+  sinew compare free.toml photo.csv           a measured shape against the computed
+  sinew reproduce                             the paper's figures and table
   sinew schema > scene.schema.json            for editors that complete TOML
 
-Exit codes: 0 solved, 1 results not written, 2 bad input, 3 not converged.";
+Exit codes: 0 solved, 1 no results, 2 bad input, 3 not converged.";
 
 const SOLVE_EXAMPLES: &str = "\
 Examples:
@@ -21,6 +25,32 @@ Examples:
   sinew solve two-discs.toml --path 20 --format csv > path.csv
   sinew solve two-discs.toml --repeat 1000              how long a solve takes
   generate-scene | sinew solve - --format json";
+
+const DRAW_EXAMPLES: &str = "\
+Examples:
+  sinew draw two-discs.toml -o two-discs.svg
+  sinew draw two-discs.toml -o two-discs.png --pull 5 --theme dark";
+
+const FORCE_EXAMPLES: &str = "\
+Examples:
+  sinew force load-cell.toml --loads 50:350:50 --measured 250:17.8
+  sinew force load-cell.toml --friction -0.9 --window 0:8 --format csv
+  sinew force load-cell.toml --rod 2.2:3        also by multipliers
+  sinew force load-cell.toml --weighed 350:6.5  the same, EI from one weight";
+
+const COMPARE_EXAMPLES: &str = "\
+Examples:
+  sinew compare free.toml photo.csv                 the pull that fits best
+  sinew compare free.toml photo.csv --pull 10 --out both.svg";
+
+const REPRODUCE_EXAMPLES: &str = "\
+Examples:
+  sinew reproduce                             everything, into sinew-report
+  sinew reproduce fig4b table1 --out results
+  sinew reproduce table1 --format json
+
+The report is DIR/report.html; its curves are DIR/data/*.csv and
+DIR/figures/*.svg.";
 
 /// Simulates cable-driven continuum robots in contact with obstacles.
 #[derive(Parser)]
@@ -38,6 +68,13 @@ pub(super) enum Command {
     Draw(Draw),
     /// Lists every fault of a scene file, or sums the scene up.
     Check(Check),
+    /// Estimates the contact force against the load, by virtual work and by
+    /// multipliers.
+    Force(Force),
+    /// Compares a measured backbone with the computed one.
+    Compare(Compare),
+    /// Recomputes the paper's figures and table, and writes a report.
+    Reproduce(Reproduce),
     /// Prints the JSON Schema of scene files.
     Schema,
 }
@@ -71,6 +108,7 @@ pub(super) struct Solve {
 }
 
 #[derive(Args)]
+#[command(after_help = DRAW_EXAMPLES)]
 pub(super) struct Draw {
     /// The scene file, or - for standard input.
     pub scene: PathBuf,
@@ -106,6 +144,145 @@ pub(super) struct Check {
     pub scene: PathBuf,
 }
 
+#[derive(Args)]
+#[command(after_help = FORCE_EXAMPLES)]
+pub(super) struct Force {
+    /// The scene file, or - for standard input.
+    pub scene: PathBuf,
+
+    /// Loads on the cable in grams, counted from contact: FIRST:LAST:STEP or a
+    /// list such as 50,100,350.
+    #[arg(
+        long,
+        value_name = "GRAMS",
+        default_value = "50:350:50",
+        allow_hyphen_values = true
+    )]
+    pub loads: String,
+
+    /// The node whose motion does the virtual work, from 0 at the base; the tip
+    /// where none is given, as in the paper.
+    #[arg(long)]
+    pub node: Option<usize>,
+
+    /// The pulls that the straight lines are fitted on, in mm.
+    #[arg(
+        long,
+        value_name = "FIRST:LAST",
+        default_value = "0:10",
+        allow_hyphen_values = true
+    )]
+    pub window: String,
+
+    /// Whose motion the lines follow.
+    #[arg(long, value_enum, default_value_t = Motion::Free)]
+    pub motion: Motion,
+
+    /// mu = P_y / P_x; 0 where neither this nor a measured point is given.
+    #[arg(
+        long,
+        value_name = "MU",
+        allow_hyphen_values = true,
+        conflicts_with = "measured"
+    )]
+    pub friction: Option<f64>,
+
+    /// One measured force that fixes mu, as load and force in grams.
+    #[arg(long, value_name = "LOAD:FORCE", allow_hyphen_values = true)]
+    pub measured: Option<String>,
+
+    /// The backbone's bending stiffness EI in N mm², for forces by multipliers.
+    #[arg(
+        long,
+        value_name = "EI",
+        allow_hyphen_values = true,
+        group = "stiffness"
+    )]
+    pub ei: Option<f64>,
+
+    /// The stiffness from Young's modulus in GPa and a round rod's diameter in
+    /// mm.
+    #[arg(
+        long,
+        value_name = "GPA:MM",
+        allow_hyphen_values = true,
+        group = "stiffness"
+    )]
+    pub rod: Option<String>,
+
+    /// The stiffness from one whole weight on the cable in grams and the pull
+    /// in mm that it held.
+    #[arg(
+        long,
+        value_name = "LOAD:PULL",
+        allow_hyphen_values = true,
+        group = "stiffness"
+    )]
+    pub weighed: Option<String>,
+
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// Whose motion virtual work looks at.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Motion {
+    /// The robot's without its obstacles, as in the paper.
+    Free,
+    /// The robot's as it meets its obstacles.
+    Contact,
+}
+
+#[derive(Args)]
+#[command(after_help = COMPARE_EXAMPLES)]
+pub(super) struct Compare {
+    /// The scene file.
+    pub scene: PathBuf,
+
+    /// The measured backbone: CSV with columns x_mm, y_mm and perhaps node, in
+    /// the scene's frame, base to tip; - for standard input.
+    pub measured: PathBuf,
+
+    /// The pull in mm, where it is known; otherwise the one that fits best.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
+    pub pull: Option<f64>,
+
+    /// Also write a picture of both shapes.
+    #[arg(long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+
+    /// How to print the result; CSV has a row for each measured point.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+#[derive(Args)]
+#[command(after_help = REPRODUCE_EXAMPLES)]
+pub(super) struct Reproduce {
+    /// Which to recompute: fig3b, fig4a, fig4b, fig5, fig7, fig9, fig10a,
+    /// fig10b, table1. All, if none is named.
+    #[arg(value_name = "FIG|TABLE")]
+    pub items: Vec<String>,
+
+    /// The folder for the report and its data; made where it is missing.
+    #[arg(long, value_name = "DIR", default_value = "sinew-report")]
+    pub out: PathBuf,
+
+    /// How to print the comparison.
+    #[arg(long, value_enum, default_value_t = Report::Text)]
+    pub format: Report,
+}
+
+/// A way to print a comparison.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Report {
+    /// Tables for people.
+    Text,
+    /// Everything there is, as one object.
+    Json,
+}
+
 /// A way to print results.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {
@@ -113,6 +290,6 @@ pub(super) enum Format {
     Text,
     /// Everything there is, as one object.
     Json,
-    /// A row for each node.
+    /// A row for each node, load or measured point.
     Csv,
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::arguments::{Draw, Look};
 use super::input::{self, BadInput};
-use super::output::reader;
+use super::output::{printable, reader};
 use super::solve::{finish, outcome};
 use super::{Failure, Outcome};
 use crate::equilibrium::{Run, Settings, Start};
@@ -27,9 +27,17 @@ pub(super) fn run(what: &Draw) -> Result<Outcome, Failure> {
         Format::StandardOutput => {
             reader(io::stdout().lock().write_all(&picture))?;
         }
-        Format::Svg | Format::Png => fs::write(&what.output, &picture)?,
+        Format::Svg | Format::Png => {
+            fs::write(&what.output, &picture).map_err(|error| named(&what.output, &error))?;
+        }
     }
     Ok(outcome(&run, &problem))
+}
+
+/// An error with the path it is about.
+pub(super) fn named(path: &Path, error: &io::Error) -> io::Error {
+    let path = printable(&path.display().to_string());
+    io::Error::new(error.kind(), format!("{path}: {error}"))
 }
 
 /// What to write.
@@ -51,9 +59,11 @@ impl Format {
         match ending.map(str::to_ascii_lowercase).as_deref() {
             Some("svg") => Ok(Format::Svg),
             Some("png") => Ok(Format::Png),
-            _ => Err(BadInput::Arguments(
-                "the picture's name must end in .svg or .png, or be - for an SVG on standard output",
-            )),
+            _ => Err(BadInput::Arguments(format!(
+                "{} does not say what to draw; end it in .svg or .png, or write - for an SVG on \
+                 standard output",
+                printable(&output.display().to_string())
+            ))),
         }
     }
 }
@@ -66,7 +76,7 @@ fn render(drawing: &Drawing, format: Format, look: Look) -> Result<Vec<u8>, Fail
     };
     match (format, look) {
         (Format::Png, _) => png::render(drawing, theme, size, SHARPNESS)
-            .map_err(|error| Failure::Output(io::Error::other(error))),
+            .map_err(|error| Failure::Making(error.into())),
         (_, Look::Auto) => Ok(svg::render_adaptive(drawing, size).into_bytes()),
         (_, Look::Light | Look::Dark) => Ok(svg::render(drawing, theme, size).into_bytes()),
     }

@@ -10,6 +10,9 @@ use super::output::printable;
 use crate::model::Problem;
 use crate::scene::{MAX_FILE_BYTES, Scene, SceneError};
 
+/// What a scene's file should be.
+const A_SCENE: &str = "a scene is a TOML text file";
+
 /// What is wrong with what was asked for.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum BadInput {
@@ -24,7 +27,7 @@ pub(super) enum BadInput {
     },
     /// Arguments that contradict each other.
     #[error("{0}")]
-    Arguments(&'static str),
+    Arguments(String),
 }
 
 impl BadInput {
@@ -44,7 +47,7 @@ impl BadInput {
 /// another one is given.
 pub(super) fn problem(path: &Path, pull_mm: Option<f64>) -> Result<(Scene, Problem), BadInput> {
     let origin = origin(path);
-    let mut scene = bytes(path)
+    let mut scene = bytes(path, A_SCENE)
         .and_then(|bytes| Ok(Scene::from_toml_bytes(&bytes)?))
         .map_err(|error: anyhow::Error| error.context(origin.clone()))?;
     if let Some(pull_mm) = pull_mm {
@@ -76,7 +79,8 @@ fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-fn origin(path: &Path) -> String {
+/// What a path was given as, to name it in messages.
+pub(super) fn origin(path: &Path) -> String {
     if is_standard_input(path) {
         "standard input".to_owned()
     } else {
@@ -84,14 +88,17 @@ fn origin(path: &Path) -> String {
     }
 }
 
-fn bytes(path: &Path) -> anyhow::Result<Vec<u8>> {
+/// The bytes of a file, or of standard input; `what` says what the file should
+/// be.
+pub(super) fn bytes(path: &Path, what: &str) -> anyhow::Result<Vec<u8>> {
     if is_standard_input(path) {
         return limited(io::stdin().lock());
     }
+    let told = |error| told(error, what);
     let file = File::open(path).map_err(told)?;
     let about = file.metadata().map_err(told)?;
     if about.is_dir() {
-        bail!("this is a directory; a scene is a TOML text file");
+        bail!("this is a directory; {what}");
     }
     // Before reading any of it. A pipe or a device has no length of its own.
     match usize::try_from(about.len()) {
@@ -107,7 +114,7 @@ fn limited(reader: impl Read) -> anyhow::Result<Vec<u8>> {
     reader
         .take(MAX_FILE_BYTES as u64 + 1)
         .read_to_end(&mut bytes)
-        .map_err(told)?;
+        .map_err(|error| told(error, A_SCENE))?;
     if bytes.len() > MAX_FILE_BYTES {
         bail!("this has more than {MAX_FILE_BYTES} bytes, the most a scene has");
     }
@@ -115,12 +122,12 @@ fn limited(reader: impl Read) -> anyhow::Result<Vec<u8>> {
 }
 
 /// The system's error in words.
-fn told(error: io::Error) -> anyhow::Error {
+fn told(error: io::Error, what: &str) -> anyhow::Error {
     match error.kind() {
         ErrorKind::NotFound => anyhow::anyhow!("there is no such file"),
         ErrorKind::PermissionDenied => anyhow::anyhow!("you may not read this file"),
         ErrorKind::IsADirectory => {
-            anyhow::anyhow!("this is a directory; a scene is a TOML text file")
+            anyhow::anyhow!("this is a directory; {what}")
         }
         _ => anyhow::Error::new(error).context("this cannot be read"),
     }

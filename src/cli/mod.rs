@@ -2,15 +2,20 @@
 //!
 //! Results go to standard output and everything else to standard error. The
 //! exit code is 0 for a solved scene, 2 for bad input, 3 for a solve that did
-//! not converge and 1 where the results could not be written.
+//! not converge and 1 where the results could not be made or written.
 
 mod arguments;
 mod check;
+mod compare;
 mod draw;
+mod force;
 mod input;
+mod numbers;
 mod output;
 mod progress;
+mod reproduce;
 mod solve;
+mod tables;
 mod timing;
 
 use std::io::{self, Write};
@@ -37,6 +42,8 @@ enum Failure {
     Input(#[from] BadInput),
     #[error("cannot write the results: {0}")]
     Output(#[from] io::Error),
+    #[error("cannot make the results: {0}")]
+    Making(anyhow::Error),
 }
 
 /// Runs the command that the program's arguments ask for.
@@ -51,8 +58,11 @@ pub fn run() -> ExitCode {
     };
     let outcome = match arguments.command {
         Command::Solve(what) => solve::run(&what),
-        Command::Draw(what) => draw::run(&what),
         Command::Check(what) => check::run(&what),
+        Command::Draw(what) => draw::run(&what),
+        Command::Force(what) => force::run(&what),
+        Command::Compare(what) => compare::run(&what),
+        Command::Reproduce(what) => reproduce::run(&what),
         Command::Schema => schema(),
     };
     match outcome {
@@ -65,7 +75,7 @@ pub fn run() -> ExitCode {
             input.complaints().iter().for_each(|text| complain(text));
             ExitCode::from(2)
         }
-        Err(failure @ Failure::Output(_)) => {
+        Err(failure) => {
             complain(&failure.to_string());
             ExitCode::from(1)
         }

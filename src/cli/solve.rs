@@ -20,7 +20,7 @@ const SLICE: usize = 20_000;
 pub(super) fn run(what: &Solve) -> Result<Outcome, Failure> {
     if what.repeat.is_some() && what.format == Format::Csv {
         return Err(BadInput::Arguments(
-            "--repeat has no place in CSV; print text or JSON, or leave it out",
+            "--repeat has no place in CSV; print text or JSON, or leave it out".to_owned(),
         )
         .into());
     }

@@ -1,6 +1,10 @@
-//! Drawings as files' contents: SVG text and, with the feature `cli`, PNG.
-//! It writes no files.
+//! Results as files' contents: drawings as SVG text and, with the feature
+//! `cli`, as PNG, charts and pages. It writes no files.
 
+#[cfg(feature = "cli")]
+pub mod chart;
+#[cfg(feature = "cli")]
+pub mod page;
 #[cfg(feature = "cli")]
 pub mod png;
 pub mod svg;

@@ -72,7 +72,8 @@ fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
-fn record<W: Write, T: AsRef<[u8]>>(
+/// Writes a row; a closed pipe stays known for one.
+pub(in crate::cli) fn record<W: Write, T: AsRef<[u8]>>(
     table: &mut ::csv::Writer<W>,
     fields: impl IntoIterator<Item = T>,
 ) -> io::Result<()> {

@@ -13,6 +13,7 @@ use crate::scene::Scene;
 use crate::scene::limits::shown;
 use crate::units::millimetres;
 
+pub(super) use self::csv::record;
 pub(super) use state::State;
 
 /// What the numbers of a state are about, for whoever reads them as text.

@@ -1,0 +1,194 @@
+//! `sinew compare`: a measured backbone against the computed one.
+
+use std::fs;
+use std::io::{self, BufWriter, Write};
+
+use serde::Serialize;
+
+use super::arguments::{Compare, Format};
+use super::input::{self, BadInput};
+use super::output::{printable, reader, record};
+use super::{Failure, Outcome, tables};
+use crate::equilibrium::{Settings, Solution, Start, Status, solve};
+use crate::experiments::{
+    Axis, Chart, Mark, Measured, Series, ShapeError, ShapeFit, best_pull, compare,
+};
+use crate::geometry::Vector;
+use crate::model::Problem;
+use crate::report::chart;
+use crate::units::millimetres;
+
+pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
+    if what.scene.as_os_str() == "-" && what.measured.as_os_str() == "-" {
+        let both = "the scene and the measured backbone cannot both be standard input";
+        return Err(BadInput::Arguments(both.to_owned()).into());
+    }
+    let (scene, problem) = input::problem(&what.scene, what.pull)?;
+    let measured = tables::measured(&what.measured, &problem)?;
+    let (problem, solution, fit) = match what.pull {
+        Some(_) => {
+            let solution = solve(&problem, Start::Straight, Settings::default());
+            if solution.status != Status::Converged {
+                return Ok(Outcome::NotConverged(solution.status.reason()));
+            }
+            let fit = compare(&solution, &measured);
+            (problem, solution, fit)
+        }
+        None => match best_pull(&problem, &measured) {
+            Ok(found) => found,
+            Err(ShapeError::NotReached(status)) => {
+                return Ok(Outcome::NotConverged(status.reason()));
+            }
+        },
+    };
+    if let Some(path) = &what.out {
+        let picture = chart::svg_file(&both(&problem, &solution, &measured, &fit))
+            .map_err(|error| Failure::Making(error.into()))?;
+        fs::write(path, picture).map_err(|error| super::draw::named(path, &error))?;
+    }
+    let title = printable(scene.title.as_deref().unwrap_or("Untitled scene"));
+    let found = Found::of(title, what.pull.is_some(), &problem, &measured, &fit);
+    let mut out = BufWriter::new(io::stdout().lock());
+    let written = match what.format {
+        Format::Text => text(&mut out, &found),
+        Format::Json => serde_json::to_writer(&mut out, &found)
+            .map_err(io::Error::from)
+            .and_then(|()| writeln!(out)),
+        Format::Csv => csv(&mut out, &found),
+    };
+    reader(written.and_then(|()| out.flush()))?;
+    Ok(Outcome::Done)
+}
+
+const SCHEMA: &str = "sinew-compare-1";
+
+#[derive(Serialize)]
+struct Found {
+    schema: &'static str,
+    title: String,
+    pull_mm: f64,
+    /// `given` or `best fit`.
+    pull: &'static str,
+    /// What each point was compared with.
+    against: &'static str,
+    rms_mm: f64,
+    rms_percent_of_length: f64,
+    max_mm: f64,
+    max_percent_of_length: f64,
+    max_row: usize,
+    points: Vec<Point>,
+}
+
+#[derive(Serialize)]
+struct Point {
+    row: usize,
+    x_mm: f64,
+    y_mm: f64,
+    distance_mm: f64,
+}
+
+impl Found {
+    fn of(
+        title: String,
+        given: bool,
+        problem: &Problem,
+        measured: &Measured,
+        fit: &ShapeFit,
+    ) -> Self {
+        let percent = |distance: f64| 100.0 * distance / problem.length();
+        let points = measured.points().iter().zip(&fit.distances);
+        Self {
+            schema: SCHEMA,
+            title,
+            pull_mm: millimetres(fit.pull),
+            pull: if given { "given" } else { "best fit" },
+            against: if measured.by_node() {
+                "its own node"
+            } else {
+                "the nearest point of the backbone"
+            },
+            rms_mm: millimetres(fit.rms),
+            rms_percent_of_length: percent(fit.rms),
+            max_mm: millimetres(fit.max),
+            max_percent_of_length: percent(fit.max),
+            max_row: fit.max_row,
+            points: points
+                .map(|(point, distance)| Point {
+                    row: point.row,
+                    x_mm: millimetres(point.position.x),
+                    y_mm: millimetres(point.position.y),
+                    distance_mm: millimetres(*distance),
+                })
+                .collect(),
+        }
+    }
+}
+
+fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
+    writeln!(out, "{}\n", found.title)?;
+    writeln!(out, "  pull     {:.3} mm ({})", found.pull_mm, found.pull)?;
+    writeln!(
+        out,
+        "  RMS      {:.3} mm, {:.2} % of the length",
+        found.rms_mm, found.rms_percent_of_length
+    )?;
+    writeln!(
+        out,
+        "  maximum  {:.3} mm, {:.2} % of the length, at row {}",
+        found.max_mm, found.max_percent_of_length, found.max_row
+    )?;
+    writeln!(
+        out,
+        "  points   {}, each against {}",
+        found.points.len(),
+        found.against
+    )
+}
+
+fn csv(out: &mut impl Write, found: &Found) -> io::Result<()> {
+    let mut table = ::csv::Writer::from_writer(out);
+    record(&mut table, ["row", "x_mm", "y_mm", "distance_mm"])?;
+    for point in &found.points {
+        let numbers = [point.x_mm, point.y_mm, point.distance_mm];
+        let numbers = numbers.iter().map(|value| format!("{value:?}"));
+        let row = point.row.to_string();
+        record(&mut table, std::iter::once(row).chain(numbers))?;
+    }
+    table.flush()
+}
+
+/// Both shapes, to scale.
+fn both(problem: &Problem, solution: &Solution, measured: &Measured, fit: &ShapeFit) -> Chart {
+    let point = |p: Vector| (millimetres(p.x), millimetres(p.y));
+    let axis = |name| Axis {
+        to_scale: true,
+        ..Axis::new(name, "mm")
+    };
+    Chart {
+        title: "Measured and computed backbone".to_owned(),
+        word: "both",
+        x: axis("x"),
+        y: axis("y"),
+        series: vec![
+            Series::new(
+                format!("computed, pull {:.2} mm", millimetres(fit.pull)),
+                Mark::Line,
+                solution.backbone().map(point).collect(),
+            ),
+            Series::new(
+                "cable",
+                Mark::Dashed,
+                solution.cable(problem.robot().offset).map(point).collect(),
+            ),
+            Series::new(
+                "measured",
+                Mark::Dots,
+                measured
+                    .points()
+                    .iter()
+                    .map(|p| point(p.position))
+                    .collect(),
+            ),
+        ],
+    }
+}

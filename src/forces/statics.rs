@@ -1,0 +1,142 @@
+//! Multipliers as forces: what presses where, the cable's tension, what the
+//! base holds, and whether all of it balances.
+//!
+//! With U = (EI/2l_0) J and J = Σ β_i², and λ_i how J rises with the clearance
+//! asked for at contact i,
+//!
+//! ```text
+//! F_i = (EI/2l_0) λ_i          along the normal out of the obstacle
+//! T   = (EI/2l_0) dJ/dl        the cable's tension (envelope theorem)
+//! ```
+//!
+//! so that F_i/T is free of EI. The model shortens every cable segment equally,
+//! as if the cable were held in every disk: the links' tensions differ along
+//! the robot ([`super::Section::cable`]), and T, which does the work, is their
+//! mean.
+//!
+//! Differs from the paper: it reads forces off virtual work only
+//! ([`super::VirtualWork`]) and uses multipliers just to find the contacts.
+
+use super::sections::{Section, Sections};
+use super::stiffness::Stiffness;
+use crate::equilibrium::{Contact, Solution};
+use crate::geometry::{Vector, cross};
+use crate::model::Problem;
+
+/// A force and a couple: what a set of forces amounts to, about the base node.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resultant {
+    /// The force, in N.
+    pub force: Vector,
+    /// The moment about the base node, counterclockwise, in N·m.
+    pub moment: f64,
+}
+
+/// A contact with its force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactForce {
+    /// The contact: part, obstacle, point and normal.
+    pub contact: Contact,
+    /// What the obstacle exerts on the robot, in N; along the contact's normal.
+    pub on_robot: Vector,
+    /// The normal force F, in N, ≥ 0.
+    pub normal_force: f64,
+}
+
+/// The forces on a robot of known stiffness.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statics {
+    /// By contact, in the solution's order.
+    pub contacts: Vec<ContactForce>,
+    /// T, the cable's tension, in N; negative where the cable would have to
+    /// push, as it does at a negative pull.
+    pub tension: f64,
+    /// What the contacts exert on the robot, all together.
+    pub pressed: Resultant,
+    /// What the mount of the first disk exerts on the robot: the paper's R_x,
+    /// R_y and M_r.
+    pub clamp: Resultant,
+    /// What the cable below the first disk exerts on the robot.
+    pub cable: Resultant,
+    /// By segment, base first: what a cut through it transmits; n.
+    pub sections: Vec<Section>,
+    /// What is left of the sum of all forces, and of every section's, relative
+    /// to the largest force.
+    pub unbalanced_force: f64,
+    /// What is left of the sum of all moments about the base, relative to the
+    /// largest moment.
+    pub unbalanced_moment: f64,
+}
+
+impl Statics {
+    /// Relative size of what may be left of sums that should vanish: the
+    /// bound of the certificate, which vouches for the shape.
+    pub const BOUND: f64 = 1e-9;
+
+    /// The forces on a solution's shape with this stiffness.
+    pub fn of(problem: &Problem, solution: &Solution, stiffness: Stiffness) -> Self {
+        let per_bend = stiffness.per_bend(problem);
+        let sections = Sections::of(problem, solution, per_bend);
+        let base = solution.nodes[0].position;
+        let mut pressed = Resultant {
+            force: Vector::zeros(),
+            moment: 0.0,
+        };
+        let contacts: Vec<ContactForce> = solution
+            .contacts
+            .iter()
+            .map(|contact| {
+                let normal_force = per_bend * contact.multiplier;
+                ContactForce {
+                    contact: *contact,
+                    on_robot: normal_force * contact.normal,
+                    normal_force,
+                }
+            })
+            .collect();
+        // The largest of anything that is summed, so that sums of large
+        // forces that cancel are not called unbalanced for their rounding.
+        let (mut largest, mut largest_moment) = (0.0_f64, 0.0_f64);
+        for force in &contacts {
+            let moment = cross(force.contact.point - base, force.on_robot);
+            pressed.force += force.on_robot;
+            pressed.moment += moment;
+            largest = largest.max(force.normal_force);
+            largest_moment = largest_moment.max(moment.abs());
+        }
+        let (clamp, cable) = (sections.clamp, sections.cable);
+        for resultant in [clamp, cable] {
+            largest = largest.max(resultant.force.norm());
+            largest_moment = largest_moment.max(resultant.moment.abs());
+        }
+        let force = (pressed.force + clamp.force + cable.force).norm();
+        let moment = (pressed.moment + clamp.moment + cable.moment).abs();
+        Self {
+            contacts,
+            tension: per_bend * solution.certificate.energy_slope,
+            pressed,
+            clamp,
+            cable,
+            unbalanced_force: relative(force.max(sections.residual()), largest),
+            unbalanced_moment: relative(moment, largest_moment),
+            sections: sections.sections,
+        }
+    }
+
+    /// Whether forces and moments sum to zero, to [`Statics::BOUND`] of the
+    /// largest.
+    pub fn balances(&self) -> bool {
+        self.unbalanced_force.max(self.unbalanced_moment) <= Self::BOUND
+    }
+}
+
+/// F/T of a contact, which needs no stiffness; `None` where the cable carries
+/// no tension.
+pub fn share_of_tension(solution: &Solution, contact: &Contact) -> Option<f64> {
+    let slope = solution.certificate.energy_slope;
+    (slope != 0.0).then(|| contact.multiplier / slope)
+}
+
+fn relative(left: f64, largest: f64) -> f64 {
+    if largest > 0.0 { left / largest } else { left }
+}

@@ -1,0 +1,132 @@
+//! A node's place and slope as functions of the pull (eq. 6), by continuation.
+
+use crate::equilibrium::{Class, Run, Settings, Start, Status};
+use crate::model::Problem;
+use crate::units::millimetres;
+
+/// A node of the robot at one pull.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SweepPoint {
+    /// The pull, in metres.
+    pub pull: f64,
+    /// The node's backbone point, in metres.
+    pub x: f64,
+    /// See `x`.
+    pub y: f64,
+    /// φ, the direction of its disk, in radians, counterclockwise: it falls as
+    /// the robot bends.
+    pub angle: f64,
+    /// dJ/dl, in rad²/m: the cable's tension without its stiffness.
+    pub energy_slope: f64,
+    /// Number of contacts that press.
+    pub pressing: usize,
+}
+
+/// What a node does along the pull: eq. 6's x_e, y_e and θ_e.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sweep {
+    /// The node, from 0 at the base.
+    pub node: usize,
+    /// By pull, in the order asked for.
+    pub points: Vec<SweepPoint>,
+}
+
+/// Why there is no sweep.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SweepError {
+    /// The node is not one of the robot's that move.
+    #[error(
+        "node {node} does not move or is not there; the robot's nodes that move are 1 to {last}"
+    )]
+    NoSuchNode {
+        /// The node asked for.
+        node: usize,
+        /// The tip.
+        last: usize,
+    },
+    /// A pull is outside what the linkage allows.
+    #[error(
+        "a pull of {:.3} mm is outside what the segments allow, {:.2} to {:.2} mm",
+        millimetres(*.pull),
+        millimetres(*.least),
+        millimetres(*.most)
+    )]
+    OutOfRange {
+        /// The pull asked for, in metres.
+        pull: f64,
+        /// The least pull, in metres.
+        least: f64,
+        /// The greatest pull, in metres.
+        most: f64,
+    },
+    /// The robot does not get to a pull.
+    #[error(
+        "the sweep stops at a pull of {:.3} mm: {}",
+        millimetres(*.pull),
+        .status.reason()
+    )]
+    NotReached {
+        /// The last good pull, in metres.
+        pull: f64,
+        /// How the run ended.
+        status: Status,
+    },
+}
+
+impl Sweep {
+    /// The node's path of a problem over these pulls, in metres, each solved
+    /// from the one before and the first from the straight robot.
+    ///
+    /// # Errors
+    /// For a node that is not there, a pull that no linkage can take, or one
+    /// that the robot does not get to.
+    pub fn of(problem: &Problem, node: usize, pulls: &[f64]) -> Result<Self, SweepError> {
+        let last = problem.robot().segments;
+        if node == 0 || node > last {
+            return Err(SweepError::NoSuchNode { node, last });
+        }
+        let (least, most) = problem.robot().pull_range();
+        let mut target = problem.clone();
+        let mut run: Option<Run> = None;
+        let mut points = Vec::with_capacity(pulls.len());
+        for &pull in pulls {
+            if !(least..=most).contains(&pull) {
+                return Err(SweepError::OutOfRange { pull, least, most });
+            }
+            target.set_pull(pull);
+            let run = match &mut run {
+                Some(run) => {
+                    run.retarget(&target);
+                    run
+                }
+                none => none.insert(Run::new(&target, Start::Straight, Settings::default())),
+            };
+            let solution = run.finish();
+            if solution.status != Status::Converged {
+                return Err(SweepError::NotReached {
+                    pull: solution.pull,
+                    status: solution.status.clone(),
+                });
+            }
+            let there = solution.nodes[node];
+            let pressing = solution.contacts.iter();
+            points.push(SweepPoint {
+                pull,
+                x: there.position.x,
+                y: there.position.y,
+                angle: there.angle,
+                energy_slope: solution.certificate.energy_slope,
+                pressing: pressing.filter(|c| c.class == Class::Pressing).count(),
+            });
+        }
+        Ok(Self { node, points })
+    }
+
+    /// `count` pulls from `first` to `last`, both included; at least two.
+    pub fn pulls(first: f64, last: f64, count: usize) -> Vec<f64> {
+        let steps = count.max(2) - 1;
+        (0..=steps)
+            .map(|k| first + (last - first) * k as f64 / steps as f64)
+            .collect()
+    }
+}

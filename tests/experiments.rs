@@ -1,0 +1,317 @@
+//! The paper's numbers, recomputed: each figure and table against what the
+//! paper's text says, and measured shapes against ones whose pull is known.
+
+use sinew::equilibrium::{Settings, Start, Status, solve};
+use sinew::experiments::{
+    Check, ForceRow, ForceTable, Id, Item, Measured, MeasuredFault, MeasuredPoint, PaperScene,
+    TableFault, Verdict, best_pull, compare, pull_window, reproduce, shown,
+};
+use sinew::geometry::Vector;
+use sinew::model::Problem;
+use sinew::units::{metres, millimetres};
+
+/// Table 1, as in its text.
+fn table() -> ForceTable {
+    let row = |load_g: f64, measured: [f64; 4], theory_g: f64| ForceRow {
+        load_g,
+        measured_g: measured.to_vec(),
+        theory_g,
+    };
+    let rows = vec![
+        row(50.0, [3.0, 4.0, 3.0, 3.0], 3.5),
+        row(100.0, [7.0, 7.0, 7.0, 7.0], 7.1),
+        row(150.0, [10.2, 10.8, 10.0, 10.0], 10.7),
+        row(200.0, [13.7, 14.0, 14.0, 14.0], 14.2),
+        row(250.0, [17.0, 17.8, 17.0, 17.0], 17.8),
+        row(300.0, [20.2, 21.0, 20.5, 21.0], 21.3),
+        row(350.0, [23.0, 24.8, 23.8, 24.0], 24.9),
+    ];
+    ForceTable::new(vec![24.0, 31.0, 36.0, 51.0], rows).unwrap()
+}
+
+fn item(id: Id) -> Item {
+    reproduce(id, &table()).unwrap()
+}
+
+#[track_caller]
+fn check_of<'a>(item: &'a Item, quantity: &str) -> &'a Check {
+    let mut found = item.checks.iter().filter(|c| c.quantity == quantity);
+    found
+        .next()
+        .unwrap_or_else(|| panic!("no {quantity} in {:?}", item.id))
+}
+
+#[track_caller]
+fn ours(item: &Item, quantity: &str) -> f64 {
+    check_of(item, quantity).ours.unwrap()
+}
+
+#[track_caller]
+fn near(found: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (found - expected).abs() <= tolerance,
+        "{found} is not {expected}"
+    );
+}
+
+#[test]
+fn every_item_says_something_and_nothing_is_invented() {
+    for id in Id::ALL {
+        let item = item(id);
+        assert_eq!(item.id, id);
+        assert!(!item.checks.is_empty(), "{id:?}");
+        for check in &item.checks {
+            for value in [check.paper, check.ours].into_iter().flatten() {
+                assert!(value.is_finite(), "{id:?}: {check:?}");
+            }
+            let both = check.paper.is_some() && check.ours.is_some();
+            let compared = matches!(check.verdict, Verdict::Agrees | Verdict::Differs);
+            assert_eq!(both, compared, "{id:?}: {check:?}");
+        }
+        for picture in &item.pictures {
+            assert!(picture.solution.certificate.holds(), "{id:?}");
+        }
+        assert_eq!(Id::of_word(id.word()), Some(id));
+        assert_eq!(Id::of_word(id.name()), Some(id));
+    }
+    assert_eq!(Id::of_word("Figure 4a"), Some(Id::Fig4a));
+    for wrong in ["", "fig", "4", "fig6", "table2", "table"] {
+        assert_eq!(Id::of_word(wrong), None, "{wrong}");
+    }
+}
+
+#[test]
+fn the_free_profile_is_the_circle() {
+    let item = item(Id::Fig3b);
+    // Picometres: rounding of a chain of 18 links of 10 mm.
+    assert!(ours(&item, "Greatest distance of a node from the closed form") < 1.0);
+    assert_eq!(ours(&item, "Nodes of the backbone"), 19.0);
+}
+
+#[test]
+fn both_posts_press_where_the_paper_says() {
+    for id in [Id::Fig4b, Id::Fig5] {
+        let item = item(id);
+        for (quantity, expected) in [
+            ("Node on the lower post, from 1", 11.0),
+            ("Node on the upper post, from 1", 17.0),
+            ("Disk on the lower post, from 1", 6.0),
+            ("Disk on the upper post, from 1", 9.0),
+        ] {
+            assert_eq!(ours(&item, quantity), expected, "{quantity}");
+            assert_eq!(check_of(&item, quantity).verdict, Verdict::Agrees);
+        }
+    }
+    let item = item(Id::Fig4b);
+    near(
+        ours(&item, "Both posts press at these nodes from a pull of"),
+        4.768,
+        5e-4,
+    );
+    near(ours(&item, "… to a pull of"), 5.102, 5e-4);
+}
+
+#[test]
+fn multipliers_are_zero_off_the_contacts() {
+    let item = item(Id::Fig5);
+    for (series, node) in item.charts[0].series.iter().zip([11.0, 17.0]) {
+        for (x, y) in &series.points {
+            assert_eq!(*y > 0.0, *x == node, "{series:?}");
+        }
+    }
+}
+
+#[test]
+fn the_theory_column_comes_from_one_measured_point() {
+    let item = item(Id::Table1);
+    for row in table().rows() {
+        let check = check_of(&item, &format!("Theory at {} g", row.load_g));
+        assert_eq!(check.paper, Some(row.theory_g));
+        assert!(check.difference().unwrap().abs() <= 0.1, "{check:?}");
+        assert_eq!(check.verdict, Verdict::Agrees);
+    }
+    // By hand from the table: 0.0712 P_l against the columns.
+    for (distance, mean) in [(24, 0.797), (31, 0.200), (36, 0.626), (51, 0.526)] {
+        let quantity = format!("Average error at d = {distance} mm");
+        near(ours(&item, &quantity), mean, 5e-4);
+    }
+    near(ours(&item, "Average error over all"), 0.537, 5e-4);
+}
+
+#[test]
+fn the_calibration_point_is_the_one_nearest_to_the_theory_column() {
+    let table = table();
+    let mut all = Vec::new();
+    for row in table.rows() {
+        for (distance, force) in table.distances_mm().iter().zip(&row.measured_g) {
+            let ratio = force / row.load_g;
+            let rows = table.rows().iter();
+            let off = rows.map(|r| (ratio * r.load_g - r.theory_g).abs());
+            all.push((off.fold(0.0, f64::max), row.load_g, *distance));
+        }
+    }
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    assert_eq!((all[0].1, all[0].2), (250.0, 31.0));
+    // Only one other stays within 0.1 g, and that by a hair.
+    assert!(
+        all[0].0 < 0.065 && all[1].0 > 0.099 && all[2].0 > 0.3,
+        "{all:?}"
+    );
+}
+
+#[test]
+fn the_load_cell_meets_the_papers_node() {
+    let item = item(Id::Fig9);
+    assert_eq!(ours(&item, "Node that touches, from 1"), 15.0);
+    assert_eq!(ours(&item, "Disk that touches, from the top"), 3.0);
+    near(ours(&item, "x of the cable's node there"), 26.0, 1e-6);
+    near(ours(&item, "Pull at which it touches"), 2.70, 0.005);
+}
+
+#[test]
+fn other_pulls_and_photographs_are_named_as_missing() {
+    for id in [Id::Fig3b, Id::Fig4a, Id::Fig4b, Id::Fig10b] {
+        assert!(!item(id).missing.is_empty(), "{id:?}");
+    }
+    let photograph = item(Id::Fig4a);
+    let check = check_of(&photograph, "Distance from the photograph over the length");
+    assert_eq!((check.verdict, check.ours), (Verdict::NotGiven, None));
+}
+
+#[test]
+fn tables_that_are_none_are_refused() {
+    let row = |load_g, forces: &[f64]| ForceRow {
+        load_g,
+        measured_g: forces.to_vec(),
+        theory_g: 1.0,
+    };
+    let check = |rows: Vec<ForceRow>, fault| {
+        assert_eq!(ForceTable::new(vec![24.0], rows), Err(fault));
+    };
+    check(vec![], TableFault::Empty);
+    check(vec![row(1.0, &[])], TableFault::Ragged(1));
+    check(
+        vec![row(1.0, &[1.0]), row(0.0, &[1.0])],
+        TableFault::NotPositive(2),
+    );
+    let other = ForceTable::new(vec![24.0], vec![row(1.0, &[1.0])]).unwrap();
+    assert!(reproduce(Id::Table1, &other).is_err());
+    assert!(reproduce(Id::Fig4b, &other).is_ok());
+}
+
+#[test]
+fn windows_of_pulls_are_found_to_their_ends() {
+    let problem = Problem::new(&PaperScene::Free.scene().unwrap()).unwrap();
+    let between = |low: f64, high: f64| {
+        pull_window(&problem, 8.0, 0.25, move |s| {
+            (low..=high).contains(&millimetres(s.pull))
+        })
+        .unwrap()
+    };
+    let (first, last) = between(1.234, 5.678).unwrap().ends_mm();
+    near(first, 1.234, 2e-5);
+    near(last, 5.678, 2e-5);
+    // Open at both ends, and nowhere.
+    assert_eq!(between(-1.0, 9.0).unwrap().ends_mm(), (0.0, 8.0));
+    assert_eq!(between(9.0, 10.0), None);
+}
+
+fn free() -> Problem {
+    Problem::new(&PaperScene::Free.scene().unwrap()).unwrap()
+}
+
+/// Points of the free robot at a pull, moved aside.
+fn points_at(pull_mm: f64, aside_mm: f64, by_node: bool) -> Vec<MeasuredPoint> {
+    let mut problem = free();
+    problem.set_pull(metres(pull_mm));
+    let solution = solve(&problem, Start::Straight, Settings::default());
+    assert_eq!(solution.status, Status::Converged);
+    let nodes = solution.backbone().enumerate();
+    nodes
+        .map(|(i, p)| MeasuredPoint {
+            row: i + 2,
+            node: by_node.then_some(i),
+            position: p + Vector::new(metres(aside_mm), 0.0),
+        })
+        .collect()
+}
+
+#[test]
+fn the_pull_of_a_shape_is_found_from_its_points() {
+    for pull_mm in [0.0, 0.4, 7.3, 23.0, -5.0] {
+        for by_node in [true, false] {
+            let measured = Measured::new(points_at(pull_mm, 0.0, by_node), &free()).unwrap();
+            let (_, solution, fit) = best_pull(&free(), &measured).unwrap();
+            near(millimetres(solution.pull), pull_mm, 1e-5);
+            assert!(fit.rms < 1e-8, "{pull_mm}: {}", fit.rms);
+        }
+    }
+}
+
+#[test]
+fn distances_are_those_of_the_points() {
+    let measured = Measured::new(points_at(5.0, 0.25, true), &free()).unwrap();
+    let mut problem = free();
+    problem.set_pull(metres(5.0));
+    let solution = solve(&problem, Start::Straight, Settings::default());
+    let fit = compare(&solution, &measured);
+    near(millimetres(fit.rms), 0.25, 1e-9);
+    near(millimetres(fit.max), 0.25, 1e-9);
+}
+
+#[test]
+fn measured_points_that_make_no_sense_name_their_row() {
+    let check = |edit: &dyn Fn(&mut Vec<MeasuredPoint>), by_node, expected: MeasuredFault| {
+        let mut points = points_at(5.0, 0.0, by_node);
+        edit(&mut points);
+        assert_eq!(Measured::new(points, &free()), Err(expected));
+    };
+    check(&|p| p.clear(), false, MeasuredFault::Empty);
+    check(&|p| p.truncate(2), false, MeasuredFault::TooFew(2));
+    check(
+        &|p| p[3].position.x = f64::NAN,
+        false,
+        MeasuredFault::NotFinite { row: 5 },
+    );
+    check(
+        &|p| p[4].position = p[2].position,
+        false,
+        MeasuredFault::Duplicate { row: 6, earlier: 4 },
+    );
+    check(&|p| p.swap(5, 9), false, MeasuredFault::Unsorted { row: 8 });
+    check(&|p| p.reverse(), false, MeasuredFault::Unsorted { row: 2 });
+    check(
+        &|p| p.swap(5, 6),
+        true,
+        MeasuredFault::NodesUnsorted { row: 7, node: 5 },
+    );
+    check(
+        &|p| p[6].node = None,
+        true,
+        MeasuredFault::NodeMissing { row: 8 },
+    );
+    check(
+        &|p| p[18].node = Some(19),
+        true,
+        MeasuredFault::NoSuchNode {
+            row: 20,
+            node: 19,
+            last: 18,
+        },
+    );
+    let far = Vector::new(0.0, 1.0);
+    let mut points = points_at(5.0, 0.0, false);
+    points[7].position = far;
+    let fault = Measured::new(points, &free()).unwrap_err();
+    assert!(
+        matches!(fault, MeasuredFault::FarOff { row: 9, .. }),
+        "{fault}"
+    );
+}
+
+#[test]
+fn numbers_are_shown_with_a_minus_sign_and_without_a_negative_zero() {
+    assert_eq!(shown(-0.001, 2), "0.00");
+    assert_eq!(shown(-1.5, 1), "−1.5");
+    assert_eq!(shown(1.25, 0), "1");
+}
