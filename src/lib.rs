@@ -67,8 +67,10 @@
 //! - Every converged solution holds an [`equilibrium::Certificate`] that was
 //!   recomputed from the shape alone, by code that shares nothing with the
 //!   solver but the obstacles' clearances.
-//! - No shape is reached by moving through an obstacle. Where a branch ends and
-//!   the robot goes over to another, an [`equilibrium::Event`] says so.
+//! - No shape is reached by moving a part that may touch through an obstacle
+//!   (`nodes`, the paper's choice, leaves the links between them out). Where a
+//!   branch ends and the robot goes over to another, an [`equilibrium::Event`]
+//!   says so.
 //! - No `unsafe`, and no `unwrap` outside tests.
 //!
 //! # Notation

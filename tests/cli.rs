@@ -154,6 +154,7 @@ fn json_of_two_discs_is_complete() {
             "energy",
             "events",
             "iterations",
+            "obstacles_placed",
             "pull_mm",
             "reason",
             "schema",

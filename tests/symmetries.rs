@@ -281,3 +281,32 @@ fn an_obstacle_dragged_through_never_passes_silently() {
         }
     }
 }
+
+/// Deleting or reordering obstacles leaves those that stay where they are.
+#[test]
+fn obstacles_that_stay_are_known_by_their_place() {
+    let disc = |x: f64, y: f64| Shape::Disc {
+        center_mm: [x, y],
+        radius_mm: 12.5,
+    };
+    let with = |shapes: &[Shape]| {
+        let mut scene = Scene::default();
+        scene.actuation.pull_mm = 6.0;
+        scene.obstacles = shapes.iter().cloned().map(Into::into).collect();
+        Problem::new(&scene).unwrap()
+    };
+    let (a, b) = (disc(-33.0, 120.0), disc(43.0, 107.0));
+    let both = with(&[a.clone(), b.clone()]);
+    for goal in [
+        with(std::slice::from_ref(&b)),
+        with(&[b.clone(), a.clone()]),
+    ] {
+        let mut run = Run::new(&both, Start::Straight, Settings::default());
+        run.finish();
+        run.retarget(&goal);
+        let kept = run.finish();
+        assert_eq!(kept.status, Status::Converged);
+        let fresh = solve(&goal, Start::Straight, Settings::default());
+        check_close(kept, &fresh, 1e-10);
+    }
+}

@@ -200,9 +200,14 @@ impl Certifier {
                             deepest = greatest(deepest, candidate.radius - distance);
                         }
                     }
-                    Some(end) => obstacle.edge_clearances(start, end, |clearance| {
-                        deepest = greatest(deepest, candidate.radius - clearance.distance);
-                    }),
+                    Some(end) => {
+                        if let Some(depth) = obstacle.crossing_depth(start, end) {
+                            deepest = greatest(deepest, candidate.radius + depth);
+                        }
+                        obstacle.edge_clearances(start, end, |clearance| {
+                            deepest = greatest(deepest, candidate.radius - clearance.distance);
+                        });
+                    }
                 }
             }
         }

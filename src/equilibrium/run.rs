@@ -211,16 +211,17 @@ impl Run {
         }
         self.goal.clone_from(problem);
         self.set_now(self.at);
-        if self.now.resembles(problem) {
+        let same_robot = self.now.robot() == problem.robot() && self.now.same_candidates(problem);
+        if !same_robot {
+            self.start_straight();
+        } else if self.now.resembles(problem) && !reordered(&self.now, problem) {
             self.from.clone_from(&self.now);
             self.to.clone_from(&self.goal);
             self.grown_first = false;
             self.begin_leg(true);
-        } else if self.now.robot() == problem.robot() && self.now.same_candidates(problem) {
+        } else {
             let known = self.now.obstacles().to_vec();
             self.meet_obstacles(&known, self.now.pull());
-        } else {
-            self.start_straight();
         }
     }
 
@@ -291,6 +292,7 @@ impl Run {
             let (node, ..) = here.stage(k, &self.anchor.nodes[k - 1], &Control::zeros());
             self.anchor.nodes.push(node);
         }
+        self.solution.nodes.clone_from(&self.anchor.nodes);
         self.meet_obstacles(&[], 0.0);
     }
 
@@ -335,6 +337,7 @@ impl Run {
         self.started.clear();
         self.started.resize(self.now.stages(), Control::zeros());
         self.sqp.start(&self.now, &self.started, &[], settings);
+        self.solution.nodes.clone_from(&self.sqp.point().nodes);
         self.phase = Phase::Direct;
     }
 
@@ -346,7 +349,21 @@ impl Run {
         first.set_pull(pull);
         let mut overlapping = false;
         for (index, obstacle) in self.goal.obstacles().iter().enumerate() {
-            let here = known.get(index).filter(|here| here.resembles(obstacle));
+            // One that stands where it stood is that one, wherever it is in
+            // the list; others move only where the list is as long as before.
+            let stands = known.iter().any(|here| stands(here, obstacle));
+            let moves = known.len() == self.goal.obstacles().len()
+                && !self
+                    .goal
+                    .obstacles()
+                    .iter()
+                    .any(|other| stands_at(known, index, other));
+            let here = known
+                .get(index)
+                .filter(|here| moves && here.resembles(obstacle));
+            if stands {
+                continue;
+            }
             if let Some(here) = here {
                 first.set_obstacle(index, here.clone());
             } else if let Some(seed) = approach::seed(&self.goal, obstacle, &self.anchor.nodes) {
@@ -436,6 +453,24 @@ impl Run {
         let active = rows.filter(|(_, multiplier)| **multiplier > 0.0);
         multipliers.extend(active.map(|(row, multiplier)| (row.id, *multiplier)));
     }
+}
+
+/// Whether two obstacles are the same at the same place.
+fn stands(a: &Obstacle, b: &Obstacle) -> bool {
+    a.resembles(b) && a.change(b) == 0.0
+}
+
+/// Whether the known obstacle of this index stands where another one does.
+fn stands_at(known: &[Obstacle], index: usize, other: &Obstacle) -> bool {
+    known.get(index).is_some_and(|here| stands(here, other))
+}
+
+/// Whether some obstacle stands where another one of the list stood.
+fn reordered(now: &Problem, then: &Problem) -> bool {
+    let pairs = now.obstacles().iter().zip(then.obstacles());
+    let moved = |(a, b): &(&Obstacle, &Obstacle)| !stands(a, b);
+    let mut moving = pairs.clone().filter(moved);
+    moving.any(|(_, b)| now.obstacles().iter().any(|a| stands(a, b)))
 }
 
 /// The greatest difference between two sets of controls.

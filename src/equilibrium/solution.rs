@@ -84,7 +84,8 @@ pub struct Solution {
     pub status: Status,
     /// The pull of this shape, in metres: the goal's, or the last good one.
     pub pull: f64,
-    /// The nodes, base first; n + 1.
+    /// The nodes, base first; n + 1. Of a run that has only begun, those it
+    /// starts from.
     pub nodes: Vec<PlanarNode>,
     /// τ, the turn of each segment's shorter link, in radians; n.
     pub turns: Vec<f64>,
@@ -274,8 +275,32 @@ impl Solution {
     }
 }
 
-/// Whether the gradients of all touching rows are linearly independent.
+/// More touching rows than this are only compared node by node.
+const FEW: usize = 64;
+
+/// Whether the gradients of all touching rows are linearly independent. Of
+/// more than a few rows only those of the same node are compared with each
+/// other, so that the test stays linear in the rows: two obstacles that touch
+/// the same nodes alike are found all the same.
 fn independent(point: &Point<Problem, 3, 1>, length: f64) -> bool {
+    let mut rows: Vec<_> = point.rows.iter().collect();
+    rows.retain(|row| row.value <= TOUCHING * length);
+    if rows.len() <= FEW {
+        return independent_in_controls(point, length);
+    }
+    rows.sort_by_key(|row| row.stage);
+    rows.len() <= point.stages.len()
+        && rows.chunk_by(|a, b| a.stage == b.stage).all(|node| {
+            let gradients = nalgebra::DMatrix::from_fn(3, node.len(), |axis, i| {
+                // Angles count as much as a length of the robot.
+                node[i].after[axis] / if axis == 2 { length } else { 1.0 }
+            });
+            node.len() <= 3 && gradients.rank(1e-9) == node.len()
+        })
+}
+
+/// Whether they are, each as a gradient in all controls.
+fn independent_in_controls(point: &Point<Problem, 3, 1>, length: f64) -> bool {
     let touching: Vec<Vec<Control<1>>> = point
         .rows
         .iter()

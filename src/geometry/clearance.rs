@@ -115,7 +115,10 @@ impl Obstacle {
             let (projection, location) =
                 edge.project_local_point_and_get_location(to_parry(point), true);
             let away = point - from_parry(projection.point);
-            if away.norm_squared() < nearest.0 && height(i) >= 0.0 {
+            // Behind an edge another one is nearer; of a segment's two sides,
+            // rounding may put a point on its line behind both.
+            let faces = height(i) >= 0.0 || (self.vertices.len() == 2 && i == highest.0);
+            if away.norm_squared() < nearest.0 && faces {
                 let corner = match location {
                     SegmentPointLocation::OnVertex(0) => Some(i),
                     SegmentPointLocation::OnVertex(_) => Some(next),
@@ -181,6 +184,26 @@ impl Obstacle {
                 }
             }
         }
+    }
+
+    /// How deep an edge that crosses the core would have to be moved to be
+    /// clear of the outline; `None` where it does not cross the core. An edge
+    /// may cross with both ends clear and no vertex near it.
+    pub fn crossing_depth(&self, start: Vector, end: Vector) -> Option<f64> {
+        if self.vertices.len() < 2 {
+            return None;
+        }
+        // Two convex sets overlap where no edge of either separates them.
+        let left = perpendicular(end - start).try_normalize(0.0)?;
+        let heights = self.vertices.iter().map(|v| left.dot(&(v - start)));
+        let (bottom, top) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| {
+            (low.min(h), high.max(h))
+        });
+        let edges = self.vertices.iter().zip(&self.normals);
+        let separation = edges
+            .map(|(v, normal)| normal.dot(&(start - v)).min(normal.dot(&(end - v))))
+            .fold(bottom.max(-top), f64::max);
+        (separation < 0.0).then_some(self.radius - separation)
     }
 
     /// Whether both points are beyond one of the core's edges by more than
@@ -368,6 +391,37 @@ mod tests {
             }
         }
         assert!(checked > 300, "{checked}");
+    }
+
+    #[test]
+    fn an_edge_across_a_bar_crosses_it_though_both_ends_are_clear() {
+        let bar = Obstacle::new(Core::rectangle(0.06, 0.004), 0.0, Vector::zeros(), 0.0);
+        let across = bar.crossing_depth(Vector::new(0.0, -0.005), Vector::new(0.001, 0.005));
+        assert!((across.unwrap() - 0.007).abs() < 1e-15);
+        let capsule = Obstacle::new(Core::segment(0.06), 0.002, Vector::zeros(), 0.3);
+        assert!(
+            capsule
+                .crossing_depth(Vector::new(0.0, -0.005), Vector::new(0.0, 0.006))
+                .is_some()
+        );
+        let beside = bar.crossing_depth(Vector::new(0.031, -0.005), Vector::new(0.031, 0.005));
+        assert_eq!(beside, None);
+    }
+
+    #[test]
+    fn points_on_the_axis_of_a_turned_capsule_are_beyond_its_end() {
+        for i in 0..360 {
+            let angle = f64::from(i).to_radians();
+            let capsule = Obstacle::new(Core::segment(0.06), 0.003, Vector::new(-0.2, 0.3), angle);
+            let along = Vector::new(angle.cos(), angle.sin());
+            for share in [0.031, 0.054, 0.2] {
+                let clearance = capsule.clearance(Vector::new(-0.2, 0.3) + share * along);
+                assert!(
+                    (clearance.distance - (share - 0.033)).abs() < 1e-15,
+                    "{i} {share}"
+                );
+            }
+        }
     }
 
     #[test]

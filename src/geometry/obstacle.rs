@@ -77,11 +77,12 @@ impl Obstacle {
     /// frame's position and counterclockwise angle.
     ///
     /// # Panics
-    /// If a core of vertices has fewer than two: a bug of the caller, who
-    /// makes them with [`Core::polygon`] or [`Core::segment`].
+    /// If a core of vertices has fewer than two or more than 254: a bug of the
+    /// caller, who makes them with [`Core::polygon`] or [`Core::segment`].
     pub fn new(core: Core, radius: f64, position: Vector, angle: f64) -> Self {
         if let Core::Vertices(vertices) = &core {
-            assert!(vertices.len() >= 2, "a core of {} vertices", vertices.len());
+            let count = vertices.len();
+            assert!((2..255).contains(&count), "a core of {count} vertices");
         }
         let mut obstacle = Self {
             core,
@@ -129,9 +130,12 @@ impl Obstacle {
     /// `b`, which must resemble each other and this one. Allocates nothing.
     pub fn set_between(&mut self, a: &Self, b: &Self, t: f64) {
         // Exact at both ends.
-        let mix = |x: f64, y: f64| (1.0 - t) * x + t * y;
-        self.radius = mix(a.radius, b.radius);
-        self.angle = mix(a.angle, b.angle);
+        self.radius = (1.0 - t) * a.radius + t * b.radius;
+        self.angle = if t < 1.0 {
+            a.angle + t * a.turn_to(b)
+        } else {
+            b.angle
+        };
         let position = (1.0 - t) * a.position() + t * b.position();
         self.pose = Pose::new(to_parry(position), self.angle);
         if let (Core::Vertices(to), Core::Vertices(a), Core::Vertices(b)) =
@@ -144,8 +148,15 @@ impl Obstacle {
         self.refresh();
     }
 
+    /// The turn to another obstacle's angle the short way, in \[−π, π\].
+    fn turn_to(&self, other: &Self) -> f64 {
+        let turn = other.angle - self.angle;
+        turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round()
+    }
+
     /// An upper bound of how far any point of the outline is from its place in
-    /// `other`, which resembles this one.
+    /// `other`, which resembles this one; for a half-plane, of any point within
+    /// a metre of its frame.
     pub fn change(&self, other: &Self) -> f64 {
         let reach = match (&self.core, &other.core) {
             (Core::HalfPlane, _) => 1.0,
@@ -158,7 +169,7 @@ impl Obstacle {
         }
         (self.position() - other.position()).norm()
             + (self.radius - other.radius).abs()
-            + (self.angle - other.angle).abs() * reach
+            + self.turn_to(other).abs() * reach
             + vertices
     }
 

@@ -34,8 +34,11 @@ impl Obstacle {
         normal_before.dot(&normal_after) < 0.0 && later.cuts(start, end, radius)
     }
 
-    /// Whether an edge, its ends moving straight, sweeps over a vertex of the
-    /// core while this obstacle becomes `later`; `moved` as for points.
+    /// Whether an edge, its ends moving straight, sweeps over the obstacle
+    /// while it becomes `later`: over a vertex of a point's or a segment's
+    /// core, which always lie within a radius, or over a polygon's middle. (A
+    /// polygon may be sharp: its vertices are on the edge in contact, and a
+    /// little beyond it between two iterations.) `moved` as for points.
     pub fn edge_passes(
         &self,
         later: &Self,
@@ -48,12 +51,18 @@ impl Obstacle {
         }
         let before = (self.to_local(a.0), self.to_local(b.0));
         let after = (later.to_local(a.1), later.to_local(b.1));
-        match &later.core {
-            Core::HalfPlane => false,
-            Core::Point => sweeps_over(Vector::zeros(), before, after, tolerance),
-            Core::Vertices(vertices) => vertices
-                .iter()
-                .any(|vertex| sweeps_over(*vertex, before, after, tolerance)),
+        // Relative to a vertex, which itself moves where the obstacle grows.
+        let over = |(first, last): (&Vector, &Vector)| {
+            let before = (before.0 - first, before.1 - first);
+            let after = (after.0 - last, after.1 - last);
+            sweeps_over(Vector::zeros(), before, after, tolerance)
+        };
+        match (&self.core, &later.core) {
+            (Core::HalfPlane, _) => false,
+            (Core::Vertices(first), Core::Vertices(last)) if last.len() == 2 => {
+                first.iter().zip(last).any(over)
+            }
+            _ => over((&Vector::zeros(), &Vector::zeros())),
         }
     }
 

@@ -226,9 +226,12 @@ fn covers_base(robot: &Robot, scene: &Scene, obstacle: &Obstacle) -> bool {
     let mut covered = [start, end]
         .iter()
         .any(|point| obstacle.clearance(*point).distance < thickness);
-    obstacle.edge_clearances(start, end, |clearance| {
-        covered |= clearance.distance < thickness;
-    });
+    if scene.contact.candidates == Candidates::Body {
+        covered |= obstacle.crossing_depth(start, end).is_some();
+        obstacle.edge_clearances(start, end, |clearance| {
+            covered |= clearance.distance < thickness;
+        });
+    }
     covered
 }
 
@@ -286,6 +289,19 @@ mod tests {
                 }
             },
             "fine",
+        );
+        check(
+            |scene| {
+                scene.contact.candidates = Candidates::Body;
+                scene.obstacles[0].shape = Shape::Capsule {
+                    center_mm: [4.0, 0.0],
+                    length_mm: 20.0,
+                    radius_mm: 0.5,
+                    rotation_deg: 90.0,
+                }
+            },
+            "obstacle[0] (capsule) covers the robot's base, which cannot move; move or shrink it \
+             until it is clear of the first disk",
         );
     }
 

@@ -130,7 +130,11 @@ impl Problem {
     }
 
     /// Sets the pull, clamped to the robot's range.
+    ///
+    /// # Panics
+    /// If the pull is not a number: a bug of the caller.
     pub fn set_pull(&mut self, pull: f64) {
+        assert!(!pull.is_nan(), "a pull that is not a number");
         let (least, most) = self.robot.pull_range();
         self.pull = pull.clamp(least, most);
         self.segment = segment(&self.robot, self.pull);
@@ -185,9 +189,8 @@ impl Problem {
     /// where it is here to where it is in `later`, while the robot's nodes
     /// move straight.
     pub fn motion_passes(&self, later: &Self, from: &[PlanarNode], to: &[PlanarNode]) -> bool {
-        // A link that touches a sharp corner is on it to rounding and may
-        // overlap it by a step's error; neither is a passage.
-        let tolerance = 1e-4 * self.robot.length;
+        // Rounding of the nodes' places.
+        let tolerance = 1e-12 * self.robot.length;
         // No point of a disk moves farther than its node, plus its lever times
         // the change of the disk's direction.
         let nodes = from.iter().zip(to);
@@ -364,7 +367,8 @@ impl Candidate {
     }
 
     /// The clearances of this candidate from an obstacle, each with its
-    /// vertex: one for a point, any number for an edge.
+    /// vertex: one for a point, any number for an edge, and one without a
+    /// vertex for an edge that crosses the obstacle's core.
     pub fn clearances(
         &self,
         nodes: &[PlanarNode],
@@ -381,9 +385,14 @@ impl Candidate {
                 let clearance = obstacle.clearance(point.node.at(lever));
                 each(None, clearance.distance - self.radius);
             }
-            _ => obstacle.edge_clearances(start, end, |clearance| {
-                each(Some(clearance.vertex), clearance.distance - self.radius);
-            }),
+            _ => {
+                if let Some(depth) = obstacle.crossing_depth(start, end) {
+                    each(None, -depth - self.radius);
+                }
+                obstacle.edge_clearances(start, end, |clearance| {
+                    each(Some(clearance.vertex), clearance.distance - self.radius);
+                });
+            }
         }
     }
 }

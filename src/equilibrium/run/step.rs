@@ -48,6 +48,13 @@ impl Run {
             &self.anchor.rows.multipliers,
             settings,
         );
+        // What the pull itself moves counts as motion too.
+        self.here.set_between(&self.from, &self.to, self.at);
+        let (before, after) = (&self.anchor.nodes, &self.sqp.point().nodes);
+        if before.len() == after.len() && self.here.motion_passes(&self.now, before, after) {
+            self.shorten(EndReason::Blocked);
+            return;
+        }
         self.predicted.clear();
     }
 
