@@ -43,6 +43,22 @@ fn known_scenes_take_known_iterations() {
     check(BODY, 4.9, [6, 32, 5]);
 }
 
+/// Its own solution is where a problem's run ends at once: the multipliers come
+/// back as they were.
+#[test]
+fn a_solution_is_its_own_start() {
+    let goal = problem(TWO_DISCS, 5.0);
+    let known = solve(&goal, Start::Straight, Settings::default());
+    let again = solve(&goal, Start::From(&goal, &known), Settings::default());
+    assert_eq!(again.turns, known.turns);
+    assert!(
+        again.events.is_empty() && again.iterations <= 2,
+        "{}",
+        again.iterations
+    );
+    assert_eq!(again.trace.len(), 1);
+}
+
 #[test]
 fn a_warm_solve_allocates_nothing() {
     let near = problem(TWO_DISCS, 5.0);

@@ -304,6 +304,20 @@ mod tests {
     }
 
     #[test]
+    fn a_change_bounds_how_far_the_outline_moves() {
+        let a = Obstacle::new(Core::segment(0.1), 0.01, Vector::new(0.1, 0.2), 0.2);
+        let b = Obstacle::new(Core::segment(0.14), 0.02, Vector::new(0.11, 0.18), 1.7);
+        // The ends of the capsules, in their own frames (0.05, 0) and (0.07, 0).
+        let end = |half: f64, angle: f64| half * Vector::new(angle.cos(), angle.sin());
+        let moved = a.position() + end(0.06, 0.2) - b.position() - end(0.09, 1.7);
+        assert!(a.change(&b) >= moved.norm());
+        // A turn of almost a whole circle is a small one the other way.
+        let c = Obstacle::new(Core::segment(0.1), 0.01, Vector::zeros(), 3.1);
+        let d = Obstacle::new(Core::segment(0.1), 0.01, Vector::zeros(), -3.1);
+        assert!(c.change(&d) < 0.1 * 0.06);
+    }
+
+    #[test]
     fn between_its_ends_an_obstacle_is_its_ends() {
         let a = Obstacle::new(Core::segment(0.1), 0.01, Vector::new(0.1, 0.2), 0.0);
         let b = Obstacle::new(Core::segment(0.3), 0.03, Vector::new(0.2, 0.1), 1.0);
