@@ -55,7 +55,8 @@ pub struct Certificate {
     pub dual: f64,
     /// Whether every segment keeps the assembly of the straight robot.
     pub orientation: bool,
-    /// Whether the reduced Hessian is positive definite: a strict minimum.
+    /// Whether the reduced Hessian is positive definite, a strict minimum; or,
+    /// without pull, whether the energy is zero, its least.
     pub minimum: bool,
     /// dJ*/dl, in rad²/m, from the cable links' multipliers: how the least
     /// energy changes with the pull (envelope theorem).
