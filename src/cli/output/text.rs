@@ -47,9 +47,9 @@ fn certificate(out: &mut impl Write, state: &State) -> io::Result<()> {
         "does not hold"
     };
     let minimum = if certificate.minimum {
-        "a strict minimum"
+        "a minimum"
     } else {
-        "no strict minimum"
+        "no minimum"
     };
     let assembly = if certificate.orientation {
         "no segment flipped"
