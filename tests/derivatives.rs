@@ -109,6 +109,18 @@ fn rows_and_cost_have_exact_gradients() {
     }
 }
 
+/// The multipliers of a point's rows: those kept have one, all others none.
+fn multipliers(point: &Planar, kept: &[RowId]) -> Vec<f64> {
+    let of = |id| {
+        if kept.contains(&id) {
+            multiplier(id)
+        } else {
+            0.0
+        }
+    };
+    point.rows.iter().map(|row| of(row.id)).collect()
+}
+
 /// The Hessian of the Lagrangian by differencing its exact gradient, with the
 /// multipliers and the set of rows held fixed.
 fn dense_hessian(problem: &Problem, controls: &[Control<1>], kept: &[RowId]) -> DMatrix<f64> {
@@ -116,17 +128,7 @@ fn dense_hessian(problem: &Problem, controls: &[Control<1>], kept: &[RowId]) -> 
     let h = 1e-6;
     let gradient = |controls: &[Control<1>]| {
         let point = at(problem, controls);
-        let multipliers: Vec<f64> = point
-            .rows
-            .iter()
-            .map(|row| {
-                if kept.contains(&row.id) {
-                    multiplier(row.id)
-                } else {
-                    0.0
-                }
-            })
-            .collect();
+        let multipliers = multipliers(&point, kept);
         let mut hessian = Hessian::default();
         let gradient = hessian.gradient(&point, &multipliers);
         DVector::from_iterator(n, gradient.iter().map(|g| g[0]))
@@ -168,17 +170,7 @@ fn the_riccati_recursion_inverts_the_hessian() {
     let controls = controls();
     let kept = steady_rows(&problem, &controls);
     let point = at(&problem, &controls);
-    let multipliers: Vec<f64> = point
-        .rows
-        .iter()
-        .map(|row| {
-            if kept.contains(&row.id) {
-                multiplier(row.id)
-            } else {
-                0.0
-            }
-        })
-        .collect();
+    let multipliers = multipliers(&point, &kept);
     let mut hessian = Hessian::default();
     hessian.gradient(&point, &multipliers);
     hessian.assemble(&problem, &point, &multipliers);

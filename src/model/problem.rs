@@ -89,6 +89,8 @@ impl Problem {
         candidates: Vec<Candidate>,
         obstacles: Vec<Obstacle>,
     ) -> Self {
+        let (least, most) = robot.pull_range();
+        assert!((least..=most).contains(&pull), "a pull of {pull} m");
         Self {
             robot,
             pull,

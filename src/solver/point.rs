@@ -2,6 +2,7 @@
 //! and the rows there. It takes no decisions.
 
 use super::chain::{Chain, Control, Row, Stage};
+use crate::math::greatest;
 
 /// A chain evaluated at given controls.
 #[derive(Clone, Debug)]
@@ -87,6 +88,6 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Point<C, NX, NU> {
 
     /// max(0, −g) over the rows, in their unit.
     pub fn worst_violation(&self) -> f64 {
-        self.rows.iter().map(|row| -row.value).fold(0.0, f64::max)
+        self.rows.iter().map(|row| -row.value).fold(0.0, greatest)
     }
 }

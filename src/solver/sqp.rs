@@ -22,6 +22,7 @@ use super::hessian::Hessian;
 use super::point::Point;
 use super::riccati::{NotPositive, Riccati};
 use super::working_set::{Terms, WorkingSet};
+use crate::math::greatest;
 
 /// Whether an iteration may step over what [`Chain::passes_through`] names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -301,7 +302,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
 
     fn stationarity(&mut self) -> f64 {
         let gradient = self.hessian.gradient(&self.point, &self.multipliers);
-        gradient.iter().map(|g| g.amax()).fold(0.0, f64::max)
+        gradient.iter().map(|g| g.amax()).fold(0.0, greatest)
     }
 
     /// Whether every row with a multiplier is met as an equality. Rows that

@@ -23,15 +23,6 @@ impl Run {
         }
         self.iterations += 1;
         self.set_now(self.target());
-        if self.moving {
-            // The obstacles move first, past the robot as it stands.
-            self.here.set_between(&self.from, &self.to, self.at);
-            let nodes = &self.anchor.nodes;
-            if self.here.motion_passes(&self.now, nodes, nodes) {
-                self.shorten(EndReason::Blocked);
-                return;
-            }
-        }
         self.phase = Phase::Solving;
         let settings = Settings {
             iterations: if self.step > self.least_step {
@@ -48,7 +39,8 @@ impl Run {
             &self.anchor.rows.multipliers,
             settings,
         );
-        // What the pull itself moves counts as motion too.
+        // Between the anchor and where the solve starts, the obstacles have moved
+        // and so has the robot, by the change of the pull at the same turns.
         self.here.set_between(&self.from, &self.to, self.at);
         let (before, after) = (&self.anchor.nodes, &self.sqp.point().nodes);
         if before.len() == after.len() && self.here.motion_passes(&self.now, before, after) {
