@@ -105,14 +105,19 @@
 
 #![warn(clippy::unwrap_used, clippy::expect_used)]
 
+#[cfg(feature = "app")]
+pub mod app;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod equilibrium;
 pub mod experiments;
+pub mod explore;
 pub mod forces;
 pub mod geometry;
 pub mod math;
 pub mod model;
+#[cfg(feature = "app")]
+pub mod render;
 pub mod report;
 pub mod scene;
 pub mod solver;

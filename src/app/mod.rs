@@ -1,0 +1,2 @@
+//! The window: canvas, panels and plots around a solver that never makes them
+//! wait. The only layer that knows egui.
