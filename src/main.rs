@@ -1,9 +1,14 @@
-//! The command `sinew`: a thin shell over the library's [`sinew::cli`].
+//! The program `sinew`: the window where nothing or a scene file is asked for,
+//! and the command line. A thin shell over [`sinew::app`] and [`sinew::cli`].
 
 #![warn(clippy::unwrap_used, clippy::expect_used)]
 
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    #[cfg(feature = "app")]
+    if let Some(opening) = sinew::app::window::asked_for(std::env::args_os().skip(1)) {
+        return sinew::app::window::open(&opening);
+    }
     sinew::cli::run()
 }

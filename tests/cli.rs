@@ -18,6 +18,8 @@ struct Ran {
 fn sinew(args: &[&str], input: &[u8]) -> Ran {
     let mut child = Command::new(env!("CARGO_BIN_EXE_sinew"))
         .args(args)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -531,13 +533,24 @@ fn arguments_that_mean_nothing_are_refused() {
 
 #[test]
 fn help_goes_where_it_belongs() {
-    let bare = check(&[], 2);
-    assert!(bare.err.contains("Usage: sinew <COMMAND>"), "{}", bare.err);
+    check(&[], if cfg!(feature = "app") { 1 } else { 2 });
     for args in [&["--help"][..], &["help"], &["solve", "--help"]] {
         assert!(check(args, 0).out.contains("Examples:"));
     }
     let version = check(&["--version"], 0).out;
     assert_eq!(version, concat!("sinew ", env!("CARGO_PKG_VERSION"), "\n"));
+}
+
+#[cfg(feature = "app")]
+#[test]
+fn without_a_display_the_window_names_the_commands_in_one_line() {
+    for args in [&[][..], &[&asset("two-discs")]] {
+        let said = check(args, 1).err;
+        assert_eq!(said.lines().count(), 1, "{said}");
+        assert!(said.contains("no display") && said.contains("`sinew solve`"));
+    }
+    let said = check(&["no-such-scene.toml"], 2).err;
+    assert!(said.contains("no-such-scene.toml"), "{said}");
 }
 
 #[test]

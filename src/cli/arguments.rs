@@ -6,11 +6,12 @@ use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
 
 const EXAMPLES: &str = "\
 Examples:
+  sinew                                       the window
+  sinew two-discs.toml                        the window on a scene
   sinew solve two-discs.toml                  a report for people
   sinew solve two-discs.toml --format json    the same for programs
   sinew draw two-discs.toml -o two-discs.svg  a picture
   sinew check two-discs.toml                  every fault of a scene file
-  sinew draw two-discs.toml -o robot.svg      a picture
   sinew force load-cell.toml                  contact force against load
   sinew compare free.toml photo.csv           a measured shape against the computed
   sinew reproduce                             the paper's figures and table

@@ -26,8 +26,11 @@ impl Problem {
         Self::parse(scene).err().unwrap_or_default()
     }
 
-    /// The problem, or its faults, at least one.
-    fn parse(scene: &Scene) -> Result<Self, Vec<SceneError>> {
+    /// The problem a scene describes.
+    ///
+    /// # Errors
+    /// All of [`Problem::faults`], at least one.
+    pub fn parse(scene: &Scene) -> Result<Self, Vec<SceneError>> {
         let faults = scene.faults();
         if !faults.is_empty() {
             return Err(faults);

@@ -108,6 +108,24 @@ impl Shape {
         }
     }
 
+    /// Moves the shape so that its anchor is at a point, [x, y], mm.
+    pub fn move_to_mm(&mut self, to: [f64; 2]) {
+        let from = self.anchor_mm();
+        match self {
+            Shape::Disc { center_mm, .. }
+            | Shape::Box { center_mm, .. }
+            | Shape::Capsule { center_mm, .. } => *center_mm = to,
+            Shape::Wall { point_mm, .. } => *point_mm = to,
+            Shape::Polygon { points_mm, .. } => {
+                for point in points_mm {
+                    for axis in 0..2 {
+                        point[axis] += to[axis] - from[axis];
+                    }
+                }
+            }
+        }
+    }
+
     /// The shape's turn about its anchor, counterclockwise, deg; 0 for a disc.
     pub fn rotation_deg(&self) -> f64 {
         match self {

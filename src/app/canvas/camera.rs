@@ -1,0 +1,149 @@
+//! Where the canvas looks: panned, zoomed at the pointer, fitted to the scene.
+
+use crate::geometry::Vector;
+use crate::view::{Bounds, Frame};
+use eframe::egui::{Rect, Response, Ui};
+
+/// How far one may zoom: points in a metre. A robot of a metre fills a window
+/// at about 1000.
+const SCALES: (f64, f64) = (1e-2, 1e9);
+/// Room that is left free around the scene, in points: for the legend and the
+/// chips at the canvas's edges.
+const MARGIN: f32 = 28.0;
+
+/// A view of the plane.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Camera {
+    frame: Option<Frame>,
+    /// Whether the user has moved it: then it no longer follows the window.
+    moved: bool,
+    fit: bool,
+}
+
+impl Camera {
+    /// Shows everything at the next frame.
+    pub fn fit_soon(&mut self) {
+        self.fit = true;
+    }
+
+    /// Looks through a window on the screen; the first time, or when asked to,
+    /// at all of `bounds`.
+    pub fn place(&mut self, window: Rect, bounds: &Bounds) {
+        let inner = bounds_of(window.shrink(MARGIN));
+        let window = bounds_of(window);
+        let fitting = Frame {
+            window,
+            ..Frame::fitting(bounds, inner)
+        };
+        match &mut self.frame {
+            Some(frame) if !self.fit => {
+                // A window that changes its size keeps the view's middle; one
+                // that nobody has moved shows everything again.
+                if frame.window.size() != window.size() && !self.moved {
+                    *frame = fitting;
+                }
+                frame.window = window;
+            }
+            _ => {
+                self.frame = Some(fitting);
+                self.moved = false;
+                self.fit = false;
+            }
+        }
+    }
+
+    /// The present view. An empty one before [`Camera::place`].
+    pub fn frame(&self) -> Frame {
+        self.frame.unwrap_or(Frame {
+            window: Bounds::of([Vector::zeros()]).grown(1.0),
+            scale: 1.0,
+            middle: Vector::zeros(),
+        })
+    }
+
+    /// Moves the view by points on the screen.
+    pub fn pan(&mut self, right: f64, down: f64) {
+        if let Some(frame) = &mut self.frame {
+            frame.middle += Vector::new(-right, down) / frame.scale;
+            self.moved = true;
+        }
+    }
+
+    /// Enlarges by a factor and keeps a point of the screen where it is.
+    pub fn zoom(&mut self, factor: f64, at: Vector) {
+        if let Some(frame) = &mut self.frame
+            && factor.is_finite()
+            && factor > 0.0
+        {
+            let kept = frame.to_world(at);
+            frame.scale = (frame.scale * factor).clamp(SCALES.0, SCALES.1);
+            frame.middle += kept - frame.to_world(at);
+            self.moved = true;
+        }
+    }
+
+    /// Follows the wheel and pinches.
+    pub fn navigate(&mut self, ui: &Ui, response: &Response) {
+        let Some(pointer) = response.hover_pos() else {
+            return;
+        };
+        let at = Vector::new(f64::from(pointer.x), f64::from(pointer.y));
+        let (zoom, scroll, pinch) = ui.input(|input| {
+            let pinch = input.multi_touch().map(|touch| touch.translation_delta);
+            (input.zoom_delta(), input.smooth_scroll_delta(), pinch)
+        });
+        // A wheel zooms, as in drawing programs and maps; two fingers pinch.
+        let wheel = (f64::from(scroll.y) / 240.0).exp();
+        let factor = f64::from(zoom) * wheel;
+        if factor != 1.0 {
+            self.zoom(factor, at);
+        }
+        if scroll.x != 0.0 {
+            self.pan(f64::from(scroll.x), 0.0);
+        }
+        if let Some(by) = pinch {
+            self.pan(f64::from(by.x), f64::from(by.y));
+        }
+    }
+}
+
+fn bounds_of(rect: Rect) -> Bounds {
+    Bounds {
+        least: Vector::new(f64::from(rect.left()), f64::from(rect.top())),
+        most: Vector::new(f64::from(rect.right()), f64::from(rect.bottom())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eframe::egui::pos2;
+
+    fn looking() -> Camera {
+        let mut camera = Camera::default();
+        let bounds = Bounds::of([Vector::new(0.0, 0.0), Vector::new(0.2, 0.1)]);
+        let window = Rect::from_min_max(pos2(100.0, 50.0), pos2(900.0, 650.0));
+        camera.place(window, &bounds);
+        camera
+    }
+
+    #[test]
+    fn zooming_keeps_the_point_under_the_pointer() {
+        let mut camera = looking();
+        let at = Vector::new(300.0, 500.0);
+        let before = camera.frame().to_world(at);
+        camera.zoom(3.7, at);
+        assert!((camera.frame().to_world(at) - before).norm() < 1e-12);
+        camera.zoom(f64::NAN, at);
+        assert!((camera.frame().to_world(at) - before).norm() < 1e-12);
+    }
+
+    #[test]
+    fn panning_moves_the_picture_with_the_pointer() {
+        let mut camera = looking();
+        let point = camera.frame().to_world(Vector::new(300.0, 500.0));
+        camera.pan(12.0, -7.0);
+        let now = camera.frame().to_screen(point);
+        assert!((now - Vector::new(312.0, 493.0)).norm() < 1e-9, "{now}");
+    }
+}

@@ -1,0 +1,134 @@
+//! What lies over the picture: the outline of what is selected, the scale bar
+//! and the legend of the contact scale.
+
+use super::flattened;
+use crate::app::live::Live;
+use crate::app::look::{Tokens, colour};
+use crate::app::state::Selection;
+use crate::units::millimetres;
+use crate::view::{Drawing, Frame, Geometry, Quantity, Role, Theme, clip_half_plane, one_two_five};
+use eframe::egui::{Align2, Color32, FontId, Mesh, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+
+/// Distance of the overlays from the canvas's edges, in points.
+const EDGE: f32 = 16.0;
+/// Length of the scale bar, in points, at most.
+const BAR: f64 = 120.0;
+
+/// A line in the accent around what is selected.
+pub fn selection(painter: &Painter, live: &Live, selected: Selection, frame: &Frame, theme: Theme) {
+    let Selection::Obstacle(index) = selected else {
+        return;
+    };
+    let marks = &live.drawing().marks;
+    let stroke = Stroke::new(2.0, Tokens::of(theme).accent);
+    for mark in marks.iter().filter(|m| m.role == Role::Obstacle(index)) {
+        match &mark.geometry {
+            Geometry::Path(path) => {
+                if let Some(points) = flattened(path, frame) {
+                    painter.add(Shape::closed_line(points, stroke));
+                }
+            }
+            Geometry::HalfPlane { point, normal } => {
+                let shown = frame.shown().grown(8.0 / frame.scale);
+                let clipped = clip_half_plane(*point, *normal, &shown.corners());
+                if let Some(surface) = clipped.surface {
+                    let ends = surface.map(|end| super::to_screen(frame, end));
+                    painter.line_segment(ends, stroke);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// A bar of a round length, lower left.
+pub fn scale_bar(painter: &Painter, frame: &Frame, theme: Theme) {
+    let length = one_two_five(BAR / frame.scale);
+    let long = (length * frame.scale) as f32;
+    let window = painter.clip_rect();
+    let tokens = Tokens::of(theme);
+    let left = pos2(window.left() + EDGE, window.bottom() - EDGE);
+    let right = left + vec2(long, 0.0);
+    let stroke = Stroke::new(1.5, tokens.muted);
+    let tick = vec2(0.0, 5.0);
+    let line = vec![left - tick, left, right, right - tick];
+    painter.add(Shape::line(line, stroke));
+    painter.text(
+        left + vec2(0.5 * long, -4.0),
+        Align2::CENTER_BOTTOM,
+        shown_length(length),
+        FontId::proportional(12.0),
+        tokens.muted,
+    );
+}
+
+/// A length in the unit that suits it.
+fn shown_length(metres: f64) -> String {
+    let (value, unit) = if metres < 1e-3 {
+        (metres * 1e6, "µm")
+    } else if metres < 1.0 {
+        (millimetres(metres), "mm")
+    } else {
+        (metres, "m")
+    };
+    let decimals = if value < 1.0 { 3 } else { 0 };
+    Quantity::fixed(value, decimals, unit).text()
+}
+
+/// The contact scale with its greatest value, lower right; nothing where
+/// nothing presses.
+pub fn legend(painter: &Painter, drawing: &Drawing, rect: Rect, theme: Theme) {
+    let Some(most) = &drawing.most else {
+        return;
+    };
+    let tokens = Tokens::of(theme);
+    let small = FontId::proportional(12.0);
+    let corner = pos2(rect.right() - EDGE, rect.bottom() - EDGE);
+    let number = painter.text(
+        corner,
+        Align2::RIGHT_BOTTOM,
+        most.text(),
+        small.clone(),
+        tokens.text,
+    );
+    let middle = number.center().y;
+    let bar = Rect::from_min_max(
+        pos2(number.left() - 8.0 - 96.0, middle - 4.0),
+        pos2(number.left() - 8.0, middle + 4.0),
+    );
+    gradient(painter, bar, theme);
+    let zero = painter.text(
+        bar.left_center() - vec2(8.0, 0.0),
+        Align2::RIGHT_CENTER,
+        "0",
+        small.clone(),
+        tokens.muted,
+    );
+    painter.text(
+        pos2(zero.left() - 8.0, middle),
+        Align2::RIGHT_CENTER,
+        "Multiplier λ",
+        small,
+        tokens.muted,
+    );
+}
+
+/// The contact scale from 0 to 1, left to right.
+fn gradient(painter: &Painter, bar: Rect, theme: Theme) {
+    const STEPS: u32 = 24;
+    let mut mesh = Mesh::default();
+    for step in 0..=STEPS {
+        let share = step as f32 / STEPS as f32;
+        let ink: Color32 = colour(theme.contact(f64::from(share)));
+        let x = bar.left() + share * bar.width();
+        let at = |y: f32| Pos2::new(x, y);
+        mesh.colored_vertex(at(bar.top()), ink);
+        mesh.colored_vertex(at(bar.bottom()), ink);
+        if step > 0 {
+            let next = 2 * step;
+            mesh.add_triangle(next - 2, next - 1, next);
+            mesh.add_triangle(next - 1, next, next + 1);
+        }
+    }
+    painter.add(Shape::mesh(mesh));
+}

@@ -1,0 +1,17 @@
+//! How the window looks: its fonts, its icons, its style in both themes. What
+//! the robot and its obstacles look like is [`crate::view::Theme`]'s.
+
+mod fonts;
+pub mod icons;
+mod style;
+
+pub use fonts::{icon_font, semibold};
+pub use style::{Tokens, colour, icon, icon_button, theme_of};
+
+use eframe::egui;
+
+/// Gives a context the window's fonts and both its themes.
+pub fn install(ctx: &egui::Context) {
+    fonts::install(ctx);
+    style::install(ctx);
+}

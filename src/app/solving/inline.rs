@@ -1,0 +1,59 @@
+//! Solving on the thread that asks, a slice at each poll: for tests, whose
+//! pictures must not depend on a race, and where there are no workers.
+
+use super::{Job, Request, SolverBackend, Update, Work};
+use web_time::{Duration, Instant};
+
+/// A backend that solves inside [`SolverBackend::poll`].
+#[derive(Debug)]
+pub struct Inline {
+    job: Job,
+    busy: bool,
+    patience: Option<Duration>,
+}
+
+impl Inline {
+    /// Solves everything at once in one poll, however long it takes.
+    pub fn to_the_end() -> Self {
+        Self {
+            job: Job::default(),
+            busy: false,
+            patience: None,
+        }
+    }
+
+    /// Solves for at most about so long in one poll.
+    pub fn sliced(patience: Duration) -> Self {
+        Self {
+            patience: Some(patience),
+            ..Self::to_the_end()
+        }
+    }
+}
+
+impl SolverBackend for Inline {
+    fn submit(&mut self, request: Request) {
+        self.job.take(request);
+        self.busy = true;
+    }
+
+    fn poll(&mut self) -> Option<Update> {
+        let begin = Instant::now();
+        while self.busy {
+            match self.job.work() {
+                Work::Found(update) => return Some(update),
+                Work::Done => self.busy = false,
+                Work::More => {
+                    if self.patience.is_some_and(|most| begin.elapsed() > most) {
+                        return None;
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    fn is_busy(&self) -> bool {
+        self.busy
+    }
+}

@@ -1,0 +1,118 @@
+//! Solving on a thread of its own. The mailbox holds one request: a newer one
+//! replaces it, and is looked for between any two slices of work.
+
+use super::{Job, Request, SolverBackend, Update, Work};
+use std::collections::VecDeque;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::{Builder, JoinHandle};
+
+/// What both threads see.
+#[derive(Default)]
+struct Mailbox {
+    slots: Mutex<Slots>,
+    /// Signals a request or the end.
+    mail: Condvar,
+}
+
+#[derive(Default)]
+struct Slots {
+    request: Option<Request>,
+    updates: VecDeque<Update>,
+    working: bool,
+    over: bool,
+}
+
+impl Mailbox {
+    fn slots(&self) -> MutexGuard<'_, Slots> {
+        // What the slots hold is whole even if a thread died between two
+        // changes of it.
+        self.slots.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// A backend with a thread.
+pub struct Thread {
+    mailbox: Arc<Mailbox>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Thread {
+    /// Starts the thread. It calls `found` whenever there is something to poll.
+    ///
+    /// # Errors
+    /// When the system gives no thread.
+    pub fn new(found: impl Fn() + Send + 'static) -> std::io::Result<Self> {
+        let mailbox = Arc::new(Mailbox::default());
+        let theirs = Arc::clone(&mailbox);
+        let thread = Builder::new()
+            .name("solver".to_owned())
+            .spawn(move || serve(&theirs, found))?;
+        Ok(Self {
+            mailbox,
+            thread: Some(thread),
+        })
+    }
+}
+
+fn serve(mailbox: &Mailbox, found: impl Fn()) {
+    let mut job = Job::default();
+    loop {
+        let mut slots = mailbox.slots();
+        if slots.over {
+            return;
+        }
+        if let Some(request) = slots.request.take() {
+            // What was found for an older request is of no interest any more,
+            // and what was found for this one is yet to come.
+            slots.updates.clear();
+            slots.working = true;
+            drop(slots);
+            job.take(request);
+        } else if slots.working {
+            drop(slots);
+            match job.work() {
+                Work::More => {}
+                Work::Found(update) => {
+                    mailbox.slots().updates.push_back(update);
+                    found();
+                }
+                Work::Done => {
+                    mailbox.slots().working = false;
+                    found();
+                }
+            }
+        } else {
+            let _woken = mailbox
+                .mail
+                .wait(slots)
+                .unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+}
+
+impl SolverBackend for Thread {
+    fn submit(&mut self, request: Request) {
+        self.mailbox.slots().request = Some(request);
+        self.mailbox.mail.notify_one();
+    }
+
+    fn poll(&mut self) -> Option<Update> {
+        self.mailbox.slots().updates.pop_front()
+    }
+
+    fn is_busy(&self) -> bool {
+        let slots = self.mailbox.slots();
+        slots.working || slots.request.is_some() || !slots.updates.is_empty()
+    }
+}
+
+impl Drop for Thread {
+    fn drop(&mut self) {
+        self.mailbox.slots().over = true;
+        self.mailbox.mail.notify_one();
+        if let Some(thread) = self.thread.take() {
+            // It ends after its slice; a panic in it has been told already.
+            let _ = thread.join();
+        }
+    }
+}

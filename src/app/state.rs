@@ -1,0 +1,241 @@
+//! What every part of the window reads and changes.
+
+use super::canvas::Canvas;
+use super::commands::Command;
+use super::document::{Document, Settled};
+use super::history::{Gesture, History};
+use super::live::Live;
+use super::solving::{SolverBackend, StartFrom};
+use super::transport::{Transport, span_mm};
+use crate::scene::{Scene, SceneError};
+use crate::view::Notes;
+use eframe::egui::Context;
+use serde::{Deserialize, Serialize};
+
+/// What is selected.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Selection {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// The robot.
+    Robot,
+    /// An obstacle, by its index in the scene.
+    Obstacle(usize),
+}
+
+impl Selection {
+    /// The obstacle that is selected, by its index in the scene.
+    pub fn obstacle(self) -> Option<usize> {
+        match self {
+            Selection::Obstacle(index) => Some(index),
+            _ => None,
+        }
+    }
+}
+
+/// What the pointer is on, in whichever part of the window: its twins light up
+/// in all others.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Hovered {
+    /// Nothing that has a twin.
+    #[default]
+    Nothing,
+    /// A node, from 0 at the base.
+    Node(usize),
+    /// A contact, by its index in the solution.
+    Contact(usize),
+    /// An obstacle, by its index in the scene.
+    Obstacle(usize),
+    /// A pull, in metres.
+    Pull(f64),
+}
+
+/// Which views of the robot are open.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Views {
+    /// The plane.
+    #[default]
+    Plane,
+    /// The robot in space.
+    Space,
+    /// Both, side by side.
+    Both,
+}
+
+/// The user's choices, which outlive the window.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Preferences {
+    /// Which views are open.
+    pub views: Views,
+    /// Whether the clearance field is drawn behind the robot.
+    pub field: bool,
+    /// Whether the grid is drawn.
+    pub grid: bool,
+    /// Whether the tip leaves a trace.
+    pub trace: bool,
+    /// Whether the outline and the inspector are open.
+    pub outline: bool,
+    /// Whether the plots are open.
+    pub dock: bool,
+    /// Light, dark or the system's.
+    pub theme: eframe::egui::ThemePreference,
+    /// Enlarges everything.
+    pub zoom: f32,
+}
+
+impl Default for Preferences {
+    fn default() -> Self {
+        Self {
+            views: Views::Plane,
+            field: true,
+            grid: true,
+            trace: true,
+            outline: true,
+            dock: true,
+            theme: eframe::egui::ThemePreference::System,
+            zoom: 1.0,
+        }
+    }
+}
+
+/// An edit that was taken back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refusal {
+    /// Why.
+    pub faults: Vec<SceneError>,
+    /// When, in seconds of the window's clock.
+    pub at: f64,
+}
+
+/// Everything the window shows.
+pub struct State {
+    /// The scene.
+    pub document: Document,
+    /// Its past.
+    pub history: History,
+    /// Its solution.
+    pub live: Live,
+    /// What is selected.
+    pub selection: Selection,
+    /// What the pointer was on in the last frame …
+    pub hovered: Hovered,
+    /// … and what it is on in this one, as far as is known.
+    pub hovering: Hovered,
+    /// The canvas: where it looks and what is being dragged on it.
+    pub canvas: Canvas,
+    /// The pull over time.
+    pub transport: Transport,
+    /// The user's choices.
+    pub preferences: Preferences,
+    /// The last edit that was taken back, as long as it is told.
+    pub refusal: Option<Refusal>,
+    /// Commands to be run at the end of the frame.
+    pub commands: Vec<Command>,
+}
+
+impl State {
+    /// The state of a window that opens on a document.
+    pub fn new(
+        document: Document,
+        backend: Box<dyn SolverBackend>,
+        preferences: Preferences,
+    ) -> Self {
+        let notes = Notes::of(&document.scene);
+        Self {
+            history: History::new(&document.scene),
+            live: Live::new(backend, document.problem(), &notes),
+            document,
+            selection: Selection::Nothing,
+            hovered: Hovered::Nothing,
+            hovering: Hovered::Nothing,
+            canvas: Canvas::default(),
+            transport: Transport::default(),
+            preferences,
+            refusal: None,
+            commands: Vec::new(),
+        }
+    }
+
+    /// Opens a scene in the place of the present one, solved from the straight
+    /// robot. Undo leads back.
+    ///
+    /// # Errors
+    /// When the scene cannot be solved: its faults. The present one stays.
+    pub fn open(&mut self, scene: Scene) -> Result<(), Vec<SceneError>> {
+        self.document = Document::new(scene)?;
+        self.selection = Selection::Nothing;
+        self.transport.stop();
+        self.canvas.fit_soon();
+        self.restart();
+        Ok(())
+    }
+
+    /// Follows the present scene anew from the straight robot.
+    pub fn restart(&mut self) {
+        self.live.ask(self.document.problem(), StartFrom::Straight);
+    }
+
+    /// Takes what the solver has found.
+    pub fn poll(&mut self) {
+        if self.live.poll() {
+            self.canvas.follow_tip(&self.live);
+            self.redraw();
+        }
+    }
+
+    /// At the end of a frame: takes the scene as it has become, and asks for
+    /// its shape.
+    pub fn settle(&mut self, ctx: &Context) {
+        match self.document.settle() {
+            Settled::Unchanged => {}
+            Settled::Changed => {
+                self.refusal = None;
+                if let Selection::Obstacle(index) = self.selection
+                    && index >= self.document.scene.obstacles.len()
+                {
+                    self.selection = Selection::Nothing;
+                }
+                self.live.ask(self.document.problem(), StartFrom::Shown);
+                self.redraw();
+                ctx.request_repaint();
+            }
+            Settled::Refused(faults) => {
+                let at = ctx.input(|input| input.time);
+                self.refusal = Some(Refusal { faults, at });
+                ctx.request_repaint();
+            }
+        }
+        let gesture = self.gesture(ctx);
+        self.history.observe(&self.document.scene, gesture);
+        self.hovered = std::mem::take(&mut self.hovering);
+    }
+
+    /// Whether the user is in the middle of something that is to be one step
+    /// of undo.
+    fn gesture(&self, ctx: &Context) -> Gesture {
+        let held = ctx.input(|input| input.pointer.any_down() || !input.keys_down.is_empty());
+        if held || self.transport.is_playing() || ctx.text_edit_focused() {
+            Gesture::Going
+        } else {
+            Gesture::Over
+        }
+    }
+
+    /// The pulls that the slider covers, in mm.
+    pub fn span_mm(&self) -> (f64, f64) {
+        let scene = &self.document.scene;
+        let allowed = self.document.problem().robot().pull_range();
+        span_mm(&scene.robot, allowed, scene.actuation.pull_mm)
+    }
+
+    /// Draws anew what has changed.
+    pub fn redraw(&mut self) {
+        let mut notes = Notes::of(&self.document.scene);
+        if self.preferences.trace {
+            notes.tip_trace = self.canvas.trace().to_vec();
+        }
+        self.live.redraw(&notes);
+    }
+}

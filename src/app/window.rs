@@ -1,0 +1,133 @@
+//! The window on the desktop: opened from the command line's arguments, with
+//! a solver thread behind it.
+
+use super::solving::{Inline, SolverBackend, Thread};
+use super::{Preferences, Sinew};
+use crate::scene::Scene;
+use eframe::egui::{Context, ViewportBuilder, vec2};
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use web_time::Duration;
+
+/// What the headless commands are, for machines that have no display.
+const HEADLESS: &str = "without one there are the commands `sinew solve`, `draw`, `force`, \
+                        `compare` and `reproduce` (see `sinew help`)";
+/// Where nothing gives a thread, the window solves in slices of this length
+/// between its frames.
+const SLICE: Duration = Duration::from_millis(4);
+
+/// What the window is to open.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Opening {
+    /// What was open last, or the first example.
+    Anything,
+    /// A scene file.
+    File(PathBuf),
+}
+
+/// What the program's arguments, its own name left out, ask the window to
+/// open: nothing but a scene file, or nothing at all. `None` where they are
+/// the command line's.
+pub fn asked_for(mut arguments: impl Iterator<Item = OsString>) -> Option<Opening> {
+    let Some(first) = arguments.next() else {
+        return Some(Opening::Anything);
+    };
+    let file = PathBuf::from(first);
+    let is_scene = file.extension().is_some_and(|ending| ending == "toml");
+    (is_scene && arguments.next().is_none()).then_some(Opening::File(file))
+}
+
+/// Opens the window and stays until it is closed. The exit code is 0, or 1
+/// where there is no display, or 2 where the scene file cannot be opened.
+pub fn open(opening: &Opening) -> ExitCode {
+    let scene = match opening {
+        Opening::Anything => None,
+        Opening::File(file) => match read(file) {
+            Ok(scene) => Some(scene),
+            Err(fault) => {
+                eprintln!("error: {fault}");
+                return ExitCode::from(2);
+            }
+        },
+    };
+    if !has_display() {
+        eprintln!("error: there is no display to open a window on; {HEADLESS}");
+        return ExitCode::from(1);
+    }
+    let viewport = ViewportBuilder::default()
+        .with_app_id("sinew")
+        .with_inner_size(vec2(1440.0, 900.0))
+        .with_min_inner_size(vec2(360.0, 480.0));
+    let options = eframe::NativeOptions {
+        viewport,
+        ..eframe::NativeOptions::default()
+    };
+    let opened = eframe::run_native(
+        "Sinew",
+        options,
+        Box::new(|cc| {
+            let backend = backend(&cc.egui_ctx);
+            let window = Sinew::new(&cc.egui_ctx, scene, backend, Preferences::default());
+            match window {
+                Ok(window) => Ok(Box::new(window)),
+                Err(faults) => Err(listed(&faults).into()),
+            }
+        }),
+    );
+    match opened {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: the window cannot be opened: {error}; {HEADLESS}");
+            ExitCode::from(1)
+        }
+    }
+}
+
+fn read(file: &std::path::Path) -> Result<Scene, String> {
+    let bytes = std::fs::read(file).map_err(|error| format!("{}: {error}", file.display()))?;
+    let scene = Scene::from_toml_bytes(&bytes);
+    scene.map_err(|fault| format!("{}: {fault}", file.display()))
+}
+
+fn listed(faults: &[crate::scene::SceneError]) -> String {
+    let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    faults.join("; ")
+}
+
+/// Whether there is a display; elsewhere than on Unix with X11 or Wayland
+/// there always is.
+fn has_display() -> bool {
+    let elsewhere = cfg!(any(target_os = "macos", target_os = "windows"));
+    let named = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    elsewhere || named("DISPLAY") || named("WAYLAND_DISPLAY")
+}
+
+fn backend(ctx: &Context) -> Box<dyn SolverBackend> {
+    let painter = ctx.clone();
+    match Thread::new(move || painter.request_repaint()) {
+        Ok(thread) => Box::new(thread),
+        Err(error) => {
+            log::warn!("no thread for the solver, so the window solves by itself: {error}");
+            Box::new(Inline::sliced(SLICE))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_argument_or_a_scene_file_is_the_windows() {
+        let check = |arguments: &[&str], expect| {
+            let arguments = arguments.iter().map(OsString::from);
+            assert_eq!(asked_for(arguments), expect);
+        };
+        check(&[], Some(Opening::Anything));
+        check(&["a.toml"], Some(Opening::File("a.toml".into())));
+        check(&["solve", "a.toml"], None);
+        check(&["a.toml", "--pull"], None);
+        check(&["--help"], None);
+    }
+}
