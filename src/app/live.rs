@@ -1,11 +1,12 @@
 //! The live solution: what was asked of the solver, what it has answered, and
 //! the drawing of it.
 
-use super::solving::{Request, Shape, SolverBackend, StartFrom, Update};
+use super::backend::SolverBackend;
 use crate::equilibrium::{Solution, Status};
 use crate::model::Problem;
+use crate::solving::{Request, Shape, StartFrom, Update};
 use crate::view::{Drawing, Notes, draw};
-use std::sync::Arc;
+use web_time::Duration;
 
 /// The solver and the last of its answers.
 pub struct Live {
@@ -13,7 +14,9 @@ pub struct Live {
     /// Requests made.
     generation: u64,
     asked: Problem,
-    shape: Option<Arc<Shape>>,
+    shape: Option<Shape>,
+    /// How long the last answer took.
+    time: Duration,
     drawing: Drawing,
     /// Counts the changes of the drawing.
     revision: u64,
@@ -27,6 +30,7 @@ impl Live {
             generation: 0,
             asked: problem.clone(),
             shape: None,
+            time: Duration::ZERO,
             drawing: draw(problem, &Solution::default(), notes),
             revision: 0,
         };
@@ -48,14 +52,15 @@ impl Live {
     /// Takes what the solver has found. Whether there was anything.
     pub fn poll(&mut self) -> bool {
         let mut news = false;
-        while let Some(update) = self.backend.poll() {
-            match update {
+        while let Some(found) = self.backend.poll() {
+            match found.update {
                 Update::Shape(shape) => {
                     // An answer to an older request shows less than what is
                     // known already.
                     let newest = self.shape.as_ref().map_or(0, |known| known.generation);
                     if shape.generation > newest {
                         self.shape = Some(shape);
+                        self.time = found.time;
                         news = true;
                     }
                 }
@@ -78,8 +83,13 @@ impl Live {
     }
 
     /// The last answer.
-    pub fn shape(&self) -> Option<&Arc<Shape>> {
+    pub fn shape(&self) -> Option<&Shape> {
         self.shape.as_ref()
+    }
+
+    /// How long the last answer took.
+    pub fn time(&self) -> Duration {
+        self.time
     }
 
     /// The last answer's solution.

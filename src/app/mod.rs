@@ -7,6 +7,7 @@
 //! it unsolvable is taken back with its reason, any other is asked of the
 //! solver and becomes a step of undo when its gesture ends.
 
+pub mod backend;
 mod canvas;
 mod commands;
 mod document;
@@ -14,7 +15,6 @@ mod history;
 mod live;
 pub mod look;
 mod panels;
-pub mod solving;
 mod state;
 mod transport;
 #[cfg(not(target_arch = "wasm32"))]
@@ -25,8 +25,8 @@ pub use document::Document;
 pub use state::{Hovered, Preferences, Selection, State, Views};
 
 use crate::scene::Scene;
+use backend::SolverBackend;
 use eframe::egui::{self, Context, Ui};
-use solving::SolverBackend;
 
 /// The scene that the window opens on.
 const FIRST: &str = include_str!("../../assets/scenes/two-discs.toml");

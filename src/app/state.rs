@@ -1,13 +1,14 @@
 //! What every part of the window reads and changes.
 
+use super::backend::SolverBackend;
 use super::canvas::Canvas;
 use super::commands::Command;
 use super::document::{Document, Settled};
 use super::history::{Gesture, History};
 use super::live::Live;
-use super::solving::{SolverBackend, StartFrom};
 use super::transport::{Transport, span_mm};
 use crate::scene::{Scene, SceneError};
+use crate::solving::StartFrom;
 use crate::view::Notes;
 use eframe::egui::Context;
 use serde::{Deserialize, Serialize};
@@ -197,7 +198,7 @@ impl State {
                 {
                     self.selection = Selection::Nothing;
                 }
-                self.live.ask(self.document.problem(), StartFrom::Shown);
+                self.live.ask(self.document.problem(), StartFrom::Last);
                 self.redraw();
                 ctx.request_repaint();
             }

@@ -1,11 +1,7 @@
-//! The work of a background solver, in slices: first the shape, then the path.
-//! Knows no thread; each backend calls [`Job::work`] until there is nothing
-//! left or a newer request has come.
+//! The work on a request: first the shape, then what is less urgent.
 
 use super::{Request, Shape, StartFrom, Update};
 use crate::equilibrium::{Progress, Run, Settings, Start};
-use std::sync::Arc;
-use web_time::Instant;
 
 /// Iterations between two looks at whether a newer request has come: about
 /// 0.1 ms for the paper's robot.
@@ -28,20 +24,18 @@ pub struct Job {
     run: Option<Run>,
     /// The request whose shape is being solved.
     request: Option<Request>,
-    seconds: f64,
 }
 
 impl Job {
     /// Takes a request in the place of the one it works on.
     pub fn take(&mut self, request: Request) {
         match &mut self.run {
-            Some(run) if request.from == StartFrom::Shown => run.retarget(&request.problem),
+            Some(run) if request.from == StartFrom::Last => run.retarget(&request.problem),
             run => {
                 let settings = Settings::default();
                 *run = Some(Run::new(&request.problem, Start::Straight, settings));
             }
         }
-        self.seconds = 0.0;
         self.request = Some(request);
     }
 
@@ -50,21 +44,16 @@ impl Job {
         let (Some(run), Some(request)) = (&mut self.run, &self.request) else {
             return Work::Done;
         };
-        let begin = Instant::now();
-        let progress = run.advance(SLICE);
-        self.seconds += begin.elapsed().as_secs_f64();
-        match progress {
+        match run.advance(SLICE) {
             Progress::Running => Work::More,
             Progress::Done => {
                 let shape = Shape {
                     generation: request.generation,
-                    problem: run.problem().clone(),
                     solution: run.solution().clone(),
                     placed: run.obstacles_are_placed(),
-                    seconds: self.seconds,
                 };
                 self.request = None;
-                Work::Found(Update::Shape(Arc::new(shape)))
+                Work::Found(Update::Shape(shape))
             }
         }
     }
