@@ -19,6 +19,7 @@ mod state;
 mod transport;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
+mod words;
 
 pub use commands::Command;
 pub use document::Document;
@@ -74,8 +75,7 @@ impl eframe::App for Sinew {
         let state = &mut self.state;
         ctx.set_theme(state.preferences.theme);
         state.poll();
-        if state.live.is_busy() {
-            // A backend with a thread asks for frames itself.
+        if state.live.wants_frames() {
             ctx.request_repaint();
         }
         let span = state.span_mm();

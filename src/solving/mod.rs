@@ -8,14 +8,18 @@
 //! left or a newer request has come.
 
 mod job;
+#[cfg(feature = "wire")]
+pub mod wire;
 
 pub use job::{Job, Work};
 
 use crate::equilibrium::Solution;
+use crate::explore::Path;
 use crate::model::Problem;
+use serde::{Deserialize, Serialize};
 
 /// What to solve.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Request {
     /// Counts the requests; a later one replaces all before it.
     pub generation: u64,
@@ -23,10 +27,12 @@ pub struct Request {
     pub problem: Problem,
     /// What the solve starts from.
     pub from: StartFrom,
+    /// The pulls that the path is to cover, least and greatest, in metres.
+    pub span: (f64, f64),
 }
 
 /// What a solve starts from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum StartFrom {
     /// The shape that the last request led to: the branch is kept.
     Last,
@@ -35,14 +41,22 @@ pub enum StartFrom {
 }
 
 /// What a request led to.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub enum Update {
     /// The robot's shape; soon after the request.
     Shape(Shape),
+    /// What the robot does along its pull; when there is nothing more urgent,
+    /// and only where anything but the pull has changed.
+    Path {
+        /// The request from which on it holds.
+        generation: u64,
+        /// From the straight robot over the request's span.
+        path: Path,
+    },
 }
 
 /// A solved shape.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Shape {
     /// The request it answers.
     pub generation: u64,

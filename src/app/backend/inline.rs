@@ -54,7 +54,7 @@ impl SolverBackend for Inline {
         None
     }
 
-    fn is_busy(&self) -> bool {
+    fn wants_frames(&self) -> bool {
         self.busy
     }
 }

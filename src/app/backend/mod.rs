@@ -20,8 +20,8 @@ pub trait SolverBackend {
     /// The next thing that was found, if any; never waits.
     fn poll(&mut self) -> Option<Found>;
 
-    /// Whether more is to come without a further request.
-    fn is_busy(&self) -> bool;
+    /// Whether it goes on only when it is polled.
+    fn wants_frames(&self) -> bool;
 }
 
 /// Something that was found, and how long it took.

@@ -101,9 +101,8 @@ impl SolverBackend for Thread {
         self.mailbox.slots().found.pop_front()
     }
 
-    fn is_busy(&self) -> bool {
-        let slots = self.mailbox.slots();
-        slots.working || slots.request.is_some() || !slots.found.is_empty()
+    fn wants_frames(&self) -> bool {
+        false
     }
 }
 
