@@ -44,6 +44,8 @@
 //!   kinematics by virtual work; the balance of the whole robot.
 //! - [`experiments`]: the paper's figures and table as data, and measured
 //!   shapes against computed ones.
+//! - [`explore`]: the robot along its whole pull: its path, its jumps, the
+//!   forces under every load.
 //! - [`view`]: a solution as plain draw data: marks in the world and what they
 //!   mean, the same for every picture.
 //! - [`report`]: drawings, charts and pages as the contents of files.
