@@ -44,7 +44,8 @@
 //!   kinematics by virtual work; the balance of the whole robot.
 //! - [`experiments`]: the paper's figures and table as data, and measured
 //!   shapes against computed ones.
-//! - [`explore`]: many equilibria of one robot at once.
+//! - [`explore`]: the robot along its whole pull: its path, its jumps, the
+//!   forces under every load.
 //! - [`solving`]: live requests, the newest first, in slices.
 //! - [`view`]: a solution as plain draw data: marks in the world and what they
 //!   mean, the same for every picture.
