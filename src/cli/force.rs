@@ -16,7 +16,7 @@ use crate::forces::{
     share_of_tension,
 };
 use crate::model::Problem;
-use crate::scene::Scene;
+use crate::scene::{Measurements, Scene};
 use crate::units::{
     degrees, grams, metres, millimetres, newton_square_metres, newton_square_millimetres, newtons,
 };
@@ -81,6 +81,8 @@ struct Found {
     y: Line,
     slope: Line,
     friction: f64,
+    /// Where the friction comes from: an option, a field of the scene, or neither.
+    friction_from: String,
     force_per_load: f64,
     caveats: Vec<String>,
     /// At the scene's own pull.
@@ -115,6 +117,8 @@ struct Share {
 #[derive(Serialize)]
 struct ByMultipliers {
     ei_n_mm2: f64,
+    /// Where it comes from: an option or a field of the scene.
+    ei_from: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     contact_pull_mm: Option<f64>,
     datum_g: f64,
@@ -177,18 +181,33 @@ fn estimate(
     let pulls = Sweep::pulls(window.first, window.last, PULLS);
     let rates = Rates::fit(&Sweep::of(&mover, node, &pulls)?, window).map_err(wrong)?;
     let offset = problem.robot().offset;
-    let estimator = match &what.measured {
-        Some(text) => {
+    let calibrated =
+        |load, force| VirtualWork::calibrated(offset, rates, newtons(load), newtons(force));
+    let held = scene.measured.as_ref().and_then(Measurements::calibrating);
+    let (estimator, friction_from) = match (&what.measured, what.friction, held) {
+        (Some(text), _, _) => {
             let (load, force) = pair("--measured", text)?;
-            VirtualWork::calibrated(offset, rates, newtons(load), newtons(force))
+            (calibrated(load, force), "--measured".to_owned())
         }
-        None => VirtualWork::new(offset, rates, what.friction.unwrap_or(0.0)),
-    }
-    .map_err(wrong)?;
-    let loading = match stiffness(what, problem)? {
-        Some(ei) => {
+        (None, Some(friction), _) => (
+            VirtualWork::new(offset, rates, friction),
+            "--friction".to_owned(),
+        ),
+        (None, None, Some(reading)) => {
+            let (load, force) = (reading.load_g, reading.force_g);
+            let from = format!("measured.calibration, {force} g under {load} g");
+            (calibrated(load, force), from)
+        }
+        (None, None, None) => (
+            VirtualWork::new(offset, rates, 0.0),
+            "none given".to_owned(),
+        ),
+    };
+    let estimator = estimator.map_err(wrong)?;
+    let loading = match stiffness(what, scene, problem)? {
+        Some((ei, from)) => {
             let loads: Vec<f64> = loads.iter().map(|load| newtons(*load)).collect();
-            Some((ei, Loading::of(problem, ei, &loads)?))
+            Some((ei, from, Loading::of(problem, ei, &loads)?))
         }
         None => None,
     };
@@ -203,7 +222,7 @@ fn estimate(
             force_y_g: grams(force.y) + 0.0,
             multipliers: loading
                 .as_ref()
-                .map(|(_, loading)| loaded(scene, problem, &loading.states[index])),
+                .map(|(_, _, loading)| loaded(scene, problem, &loading.states[index])),
         });
     }
     Ok(Found {
@@ -216,12 +235,14 @@ fn estimate(
         y: line(&rates.y, millimetres),
         slope: line(&rates.angle, degrees),
         friction: estimator.friction(),
+        friction_from,
         force_per_load: estimator.force_per_load(),
         caveats: caveats.iter().map(ToString::to_string).collect(),
         contacts,
         pull_mm,
-        by_multipliers: loading.as_ref().map(|(ei, loading)| ByMultipliers {
+        by_multipliers: loading.as_ref().map(|(ei, from, loading)| ByMultipliers {
             ei_n_mm2: newton_square_millimetres(ei.value()),
+            ei_from: from,
             contact_pull_mm: loading.contact.map(millimetres),
             datum_g: grams(loading.datum),
         }),
@@ -245,17 +266,21 @@ fn line(fit: &crate::forces::LineFit, unit: fn(f64) -> f64) -> Line {
     }
 }
 
-/// The stiffness asked for.
-fn stiffness(what: &Force, problem: &Problem) -> Result<Option<Stiffness>, Trouble> {
+/// The stiffness asked for, or else the scene's, with where it comes from.
+fn stiffness(
+    what: &Force,
+    scene: &Scene,
+    problem: &Problem,
+) -> Result<Option<(Stiffness, &'static str)>, Trouble> {
     let pair = |option, text| numbers::pair(option, text, "write two numbers as 2.2:3");
-    let made = if let Some(ei) = what.ei {
-        Stiffness::new(newton_square_metres(ei))
+    let (made, from) = if let Some(ei) = what.ei {
+        (Stiffness::new(newton_square_metres(ei)), "--ei")
     } else if let Some(text) = &what.rod {
         let (young_gpa, diameter_mm) = pair("--rod", text)?;
         let profile = Profile::Rod {
             diameter: metres(diameter_mm.max(0.0)),
         };
-        Stiffness::of_section(young_gpa * 1e9, profile)
+        (Stiffness::of_section(young_gpa * 1e9, profile), "--rod")
     } else if let Some(text) = &what.weighed {
         let (load_g, pull_mm) = pair("--weighed", text)?;
         let (least, most) = problem.robot().pull_range();
@@ -270,11 +295,13 @@ fn stiffness(what: &Force, problem: &Problem) -> Result<Option<Stiffness>, Troub
             let (pull, status) = (solution.pull, solution.status);
             return Err(SweepError::NotReached { pull, status }.into());
         }
-        Stiffness::calibrated(&there, &solution, newtons(load_g))
+        let made = Stiffness::calibrated(&there, &solution, newtons(load_g));
+        (made, "--weighed")
     } else {
-        return Ok(None);
+        let held = Stiffness::of_scene(scene).map_err(wrong)?;
+        return Ok(held.map(|ei| (ei, "robot.bending_stiffness_nmm2")));
     };
-    Ok(Some(made.map_err(wrong)?))
+    Ok(Some((made.map_err(wrong)?, from)))
 }
 
 /// A contact in words: `disk 6, cable side, on lower`.
@@ -380,7 +407,12 @@ fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
             line.max_residual
         )?;
     }
-    writeln!(out, "  mu       {:>9}", shown(found.friction, 4))?;
+    writeln!(
+        out,
+        "  mu       {:>9} ({})",
+        shown(found.friction, 4),
+        found.friction_from
+    )?;
     writeln!(
         out,
         "  force    {:>9} of the load",
@@ -397,7 +429,11 @@ fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
     writeln!(out, "\nMultipliers\n")?;
     match &found.by_multipliers {
         Some(known) => {
-            writeln!(out, "  EI       {:.1} N mm²", known.ei_n_mm2)?;
+            writeln!(
+                out,
+                "  EI       {:.1} N mm² ({})",
+                known.ei_n_mm2, known.ei_from
+            )?;
             match known.contact_pull_mm {
                 Some(pull) => writeln!(
                     out,
@@ -409,7 +445,7 @@ fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
         }
         None => writeln!(
             out,
-            "  Forces need a stiffness: --ei, --rod or --weighed. Without one:"
+            "  Forces need a stiffness: --ei, --rod, --weighed or the scene's. Without one:"
         )?,
     }
     let pull_mm = found.pull_mm;
