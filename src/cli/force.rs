@@ -8,9 +8,8 @@ use serde::Serialize;
 use super::arguments::{Force, Format, Motion};
 use super::input::{self, BadInput};
 use super::output::{printable, reader};
-use super::{Failure, Outcome, numbers};
+use super::{Failure, Outcome, force_text, numbers};
 use crate::equilibrium::{Settings, Start, Status, solve};
-use crate::experiments::shown;
 use crate::forces::{
     Loading, Profile, Rates, Stiffness, Sweep, SweepError, VirtualWork, Window, part_name,
     share_of_tension,
@@ -37,7 +36,7 @@ pub(super) fn run(what: &Force) -> Result<Outcome, Failure> {
     };
     let mut out = BufWriter::new(io::stdout().lock());
     let written = match what.format {
-        Format::Text => text(&mut out, &found),
+        Format::Text => force_text::text(&mut out, &found),
         Format::Json => json(&mut out, &found),
         Format::Csv => csv(&mut out, &found),
     };
@@ -71,93 +70,93 @@ const SCHEMA: &str = "sinew-force-1";
 
 /// Everything that is printed.
 #[derive(Serialize)]
-struct Found {
-    schema: &'static str,
-    title: String,
-    node: usize,
-    motion: &'static str,
-    window_mm: [f64; 2],
-    x: Line,
-    y: Line,
-    slope: Line,
-    friction: f64,
+pub(super) struct Found {
+    pub schema: &'static str,
+    pub title: String,
+    pub node: usize,
+    pub motion: &'static str,
+    pub window_mm: [f64; 2],
+    pub x: Line,
+    pub y: Line,
+    pub slope: Line,
+    pub friction: f64,
     /// Where the friction comes from: an option, a field of the scene, or neither.
-    friction_from: String,
-    force_per_load: f64,
-    caveats: Vec<String>,
+    pub friction_from: String,
+    pub force_per_load: f64,
+    pub caveats: Vec<String>,
     /// At the scene's own pull.
-    contacts: Vec<Share>,
-    pull_mm: f64,
+    pub contacts: Vec<Share>,
+    pub pull_mm: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    by_multipliers: Option<ByMultipliers>,
-    loads: Vec<Row>,
+    pub by_multipliers: Option<ByMultipliers>,
+    pub loads: Vec<Row>,
 }
 
 /// A straight line over the pull: x and y in mm, the slope in degrees.
 #[derive(Serialize)]
-struct Line {
-    per_mm: f64,
-    intercept: f64,
-    rms_residual: f64,
-    max_residual: f64,
-    r_squared: f64,
-    points: usize,
+pub(super) struct Line {
+    pub per_mm: f64,
+    pub intercept: f64,
+    pub rms_residual: f64,
+    pub max_residual: f64,
+    pub r_squared: f64,
+    pub points: usize,
 }
 
 /// A contact's force over the cable's tension.
 #[derive(Serialize)]
-struct Share {
-    contact: String,
-    node: usize,
-    obstacle: usize,
+pub(super) struct Share {
+    pub contact: String,
+    pub node: usize,
+    pub obstacle: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
-    force_over_tension: Option<f64>,
+    pub force_over_tension: Option<f64>,
 }
 
 #[derive(Serialize)]
-struct ByMultipliers {
-    ei_n_mm2: f64,
+pub(super) struct ByMultipliers {
+    pub ei_n_mm2: f64,
     /// Where it comes from: an option or a field of the scene.
-    ei_from: &'static str,
+    pub ei_from: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    contact_pull_mm: Option<f64>,
-    datum_g: f64,
+    pub contact_pull_mm: Option<f64>,
+    pub datum_g: f64,
 }
 
 #[derive(Serialize)]
-struct Row {
-    load_g: f64,
-    force_x_g: f64,
-    force_y_g: f64,
+pub(super) struct Row {
+    pub load_g: f64,
+    pub force_x_g: f64,
+    pub force_y_g: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    multipliers: Option<Loaded>,
+    pub multipliers: Option<Loaded>,
 }
 
 /// The state under a load, by multipliers.
 #[derive(Serialize)]
-struct Loaded {
-    pull_mm: f64,
-    tension_g: f64,
+pub(super) struct Loaded {
+    pub pull_mm: f64,
+    pub tension_g: f64,
     /// The sum of the normal forces on obstacles.
-    force_g: f64,
-    force_n: f64,
-    contacts: Vec<Pressed>,
-    clamp_force_n: [f64; 2],
-    clamp_moment_n_mm: f64,
-    unbalanced_force: f64,
-    unbalanced_moment: f64,
+    pub force_g: f64,
+    pub force_n: f64,
+    pub contacts: Vec<Pressed>,
+    pub clamp_force_n: [f64; 2],
+    pub clamp_moment_n_mm: f64,
+    pub unbalanced_force: f64,
+    pub unbalanced_moment: f64,
 }
 
 #[derive(Serialize)]
-struct Pressed {
-    contact: String,
-    node: usize,
-    obstacle: usize,
-    point_mm: [f64; 2],
-    normal: [f64; 2],
-    force_g: f64,
+pub(super) struct Pressed {
+    pub contact: String,
+    pub node: usize,
+    pub obstacle: usize,
+    pub point_mm: [f64; 2],
+    pub normal: [f64; 2],
+    pub force_g: f64,
     /// What the obstacle exerts on the robot.
-    on_robot_n: [f64; 2],
+    pub on_robot_n: [f64; 2],
 }
 
 fn estimate(
@@ -378,129 +377,4 @@ fn csv(out: &mut impl Write, found: &Found) -> io::Result<()> {
         super::output::record(&mut table, fields)?;
     }
     table.flush()
-}
-
-fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
-    let [first, last] = found.window_mm;
-    writeln!(out, "{}\n", found.title)?;
-    writeln!(out, "Virtual work (eq. 11)\n")?;
-    let whose = match found.motion {
-        "free" => "free robot",
-        _ => "robot among its obstacles",
-    };
-    writeln!(
-        out,
-        "  motion   node {} of the {whose}, pulls of {first} to {last} mm",
-        found.node
-    )?;
-    for (name, line, unit) in [
-        ("x", &found.x, "mm"),
-        ("y", &found.y, "mm"),
-        ("slope", &found.slope, "deg"),
-    ] {
-        writeln!(
-            out,
-            "  {name:<7}  {:>9} {unit}/mm, R² {:.5}, residual {:.3} {unit} RMS, {:.3} at most",
-            shown(line.per_mm, 4),
-            line.r_squared,
-            line.rms_residual,
-            line.max_residual
-        )?;
-    }
-    writeln!(
-        out,
-        "  mu       {:>9} ({})",
-        shown(found.friction, 4),
-        found.friction_from
-    )?;
-    writeln!(
-        out,
-        "  force    {:>9} of the load",
-        shown(found.force_per_load, 5)
-    )?;
-    for caveat in &found.caveats {
-        writeln!(out, "  caution: {caveat}")?;
-    }
-    multipliers(out, found)?;
-    table(out, found)
-}
-
-fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
-    writeln!(out, "\nMultipliers\n")?;
-    match &found.by_multipliers {
-        Some(known) => {
-            writeln!(
-                out,
-                "  EI       {:.1} N mm² ({})",
-                known.ei_n_mm2, known.ei_from
-            )?;
-            match known.contact_pull_mm {
-                Some(pull) => writeln!(
-                    out,
-                    "  contact  from a pull of {pull:.3} mm, with {:.1} g on the cable; loads count from there",
-                    known.datum_g
-                )?,
-                None => writeln!(out, "  contact  none; loads count from the straight robot")?,
-            }
-        }
-        None => writeln!(
-            out,
-            "  Forces need a stiffness: --ei, --rod, --weighed or the scene's. Without one:"
-        )?,
-    }
-    let pull_mm = found.pull_mm;
-    if found.contacts.is_empty() {
-        writeln!(out, "  At a pull of {pull_mm} mm nothing touches.")?;
-    }
-    for contact in &found.contacts {
-        if let Some(share) = contact.force_over_tension {
-            let name = &contact.contact;
-            writeln!(
-                out,
-                "  At a pull of {pull_mm} mm: {share:.5} of the cable's tension at {name} (node {})",
-                contact.node
-            )?;
-        }
-    }
-    Ok(())
-}
-
-fn table(out: &mut impl Write, found: &Found) -> io::Result<()> {
-    let both = found.by_multipliers.is_some();
-    write!(out, "\n  {:>8}  {:>8}  {:>8}", "load", "P_x", "P_y")?;
-    if both {
-        write!(
-            out,
-            "  {:>8}  {:>8}  {:>8}  by multipliers",
-            "pull", "tension", "force"
-        )?;
-    }
-    write!(out, "\n  {:>8}  {:>8}  {:>8}", "g", "g", "g")?;
-    if both {
-        write!(out, "  {:>8}  {:>8}  {:>8}", "mm", "g", "g")?;
-    }
-    writeln!(out)?;
-    for row in &found.loads {
-        write!(
-            out,
-            "  {:>8}  {:>8}  {:>8}",
-            row.load_g,
-            shown(row.force_x_g, 2),
-            shown(row.force_y_g, 2)
-        )?;
-        if let Some(loaded) = &row.multipliers {
-            let parts = loaded.contacts.iter();
-            let parts = parts.map(|c| format!("{} g at {}", shown(c.force_g, 2), c.contact));
-            write!(
-                out,
-                "  {:>8.3}  {:>8.1}  {:>8.2}  {}",
-                loaded.pull_mm,
-                loaded.tension_g,
-                loaded.force_g,
-                parts.collect::<Vec<_>>().join("; ")
-            )?;
-        }
-        writeln!(out)?;
-    }
-    Ok(())
 }
