@@ -12,6 +12,7 @@ mod canvas;
 mod commands;
 mod document;
 mod history;
+pub mod link;
 mod live;
 pub mod look;
 mod panels;
