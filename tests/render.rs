@@ -6,11 +6,16 @@
 
 mod offscreen;
 
+use std::sync::Arc;
+
 use offscreen::{Offscreen, Picture};
 use sinew::equilibrium::{Settings, Solution, Start, solve};
 use sinew::geometry::{Core, Obstacle, Vector};
 use sinew::model::Problem;
-use sinew::render::{FieldOutput, FieldPass, FieldPicture, contour_spacing};
+use sinew::render::{
+    self, Camera, FieldOutput, FieldPass, FieldPicture, RobotSizes, SolidPass, SolidPicture,
+    contour_spacing,
+};
 use sinew::scene::Scene;
 use sinew::view::{Bounds, Frame, Notes, Theme, draw};
 
@@ -221,6 +226,50 @@ fn pictures_of_the_field() {
                 .filter(|(.., p)| *p != [r, g, b, 255])
                 .count();
             assert!(changed > 100_000, "{changed}");
+        }
+    }
+}
+
+// --- The robot in space -----------------------------------------------
+
+fn solid_image(
+    screen: &Offscreen,
+    picture: &SolidPicture,
+    [width, height]: [u32; 2],
+    samples: u32,
+) -> Picture<[u8; 4]> {
+    let format = eframe::wgpu::TextureFormat::Rgba8Unorm;
+    let mut pass = SolidPass::new(&screen.device, format, samples);
+    let mut encoder = screen.device.create_command_encoder(&Default::default());
+    let place = [[0.0; 2], [width as f32, height as f32]];
+    let index = pass.prepare(&screen.device, &screen.queue, &mut encoder, picture, place);
+    pass.prepared();
+    screen.queue.submit([encoder.finish()]);
+    screen.image(width, height, [255, 0, 255, 255], |target| {
+        pass.paint(index, target);
+    })
+}
+
+fn solids(text: &str, theme: Theme, aspect: f64) -> SolidPicture {
+    let (scene, problem, solution) = solved(text);
+    let standing = draw(&problem, &solution, &Notes::of(&scene)).standing;
+    let sizes = RobotSizes::of(&scene.robot);
+    let mesh = render::mesh(&problem, &solution, &sizes, theme, &standing);
+    SolidPicture {
+        camera: Camera::fitting(&mesh.focus, aspect),
+        mesh: Arc::new(mesh),
+        theme,
+    }
+}
+
+#[test]
+fn pictures_of_the_robot() {
+    let screen = Offscreen::new();
+    for (name, text) in [("two-discs", TWO_DISCS), ("shapes", SHAPES)] {
+        for (theme, word) in [(Theme::Light, "light"), (Theme::Dark, "dark")] {
+            let picture = solids(text, theme, 1.1);
+            let image = solid_image(&screen, &picture, [1100, 1000], 4);
+            image.save(&format!("render-solid-{name}-{word}"));
         }
     }
 }
