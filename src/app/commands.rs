@@ -26,6 +26,12 @@ pub enum Command {
     FromStraight,
     /// Shows everything.
     Fit,
+    /// Shows the plane alone.
+    ViewPlane,
+    /// Shows the robot in space alone.
+    ViewSpace,
+    /// Shows both, side by side.
+    ViewBoth,
     /// Shows or hides the outline.
     Outline,
     /// Shows or hides the plots.
@@ -108,6 +114,9 @@ pub const ALL: &[Entry] = &[
     entry(Command::Play, Group::Robot, "Play or pause", icons::PLAY, key(Key::Space)),
     entry(Command::FromStraight, Group::Robot, "Start from straight", icons::CLOCK_COUNTER_CLOCKWISE, key(Key::R)),
     entry(Command::Fit, Group::View, "Show everything", icons::CORNERS_OUT, key(Key::F)),
+    entry(Command::ViewPlane, Group::View, "Show the plane", icons::SQUARE, key(Key::Num1)),
+    entry(Command::ViewSpace, Group::View, "Show the robot in space", icons::CUBE, key(Key::Num2)),
+    entry(Command::ViewBoth, Group::View, "Show plane and space side by side", icons::COLUMNS, key(Key::Num3)),
     entry(Command::Outline, Group::View, "Show or hide the outline", icons::LIST, ctrl(Key::B)),
     entry(Command::Dock, Group::View, "Show or hide the plots", icons::CHART_LINE, ctrl(Key::J)),
     entry(Command::Field, Group::View, "Show or hide the clearance field", icons::WAVES, key(Key::C)),

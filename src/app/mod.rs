@@ -16,6 +16,7 @@ pub mod link;
 mod live;
 pub mod look;
 mod panels;
+mod space;
 mod state;
 mod transport;
 #[cfg(not(target_arch = "wasm32"))]
@@ -92,10 +93,27 @@ impl eframe::App for Sinew {
         let state = &mut self.state;
         state.commands.extend(commands::pressed(ui.ctx()));
         panels::show(ui, state);
-        egui::CentralPanel::no_frame().show(ui, |ui| canvas::show(ui, state));
+        egui::CentralPanel::no_frame().show(ui, |ui| views(ui, state));
         for command in std::mem::take(&mut state.commands) {
             commands::run(command, state, ui.ctx());
         }
         state.settle(ui.ctx());
+    }
+}
+
+/// The open views of the robot, in all the room there is.
+fn views(ui: &mut Ui, state: &mut State) {
+    match state.preferences.views {
+        Views::Plane => canvas::show(ui, state),
+        Views::Space => space::show(ui, state),
+        Views::Both => {
+            let width = 0.5 * ui.available_width();
+            egui::Panel::right("space")
+                .frame(egui::Frame::NONE)
+                .default_size(width)
+                .size_range(0.25 * width..=1.6 * width)
+                .show(ui, |ui| space::show(ui, state));
+            egui::CentralPanel::no_frame().show(ui, |ui| canvas::show(ui, state));
+        }
     }
 }

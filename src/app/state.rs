@@ -6,6 +6,7 @@ use super::commands::Command;
 use super::document::{Document, Settled};
 use super::history::{Gesture, History};
 use super::live::Live;
+use super::space::Space;
 use super::transport::{Transport, span_mm};
 use crate::scene::{Scene, SceneError};
 use crate::solving::StartFrom;
@@ -127,6 +128,8 @@ pub struct State {
     pub hovering: Hovered,
     /// The canvas: where it looks and what is being dragged on it.
     pub canvas: Canvas,
+    /// The view in space.
+    pub space: Space,
     /// The pull over time.
     pub transport: Transport,
     /// The user's choices.
@@ -153,6 +156,7 @@ impl State {
             hovered: Hovered::Nothing,
             hovering: Hovered::Nothing,
             canvas: Canvas::default(),
+            space: Space::default(),
             transport: Transport::default(),
             preferences,
             refusal: None,
@@ -170,6 +174,7 @@ impl State {
         self.selection = Selection::Nothing;
         self.transport.stop();
         self.canvas.fit_soon();
+        self.space.fit_soon();
         self.restart();
         Ok(())
     }

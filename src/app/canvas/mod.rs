@@ -8,6 +8,7 @@ use super::live::Live;
 use super::look::{Tokens, theme_of};
 use super::state::{Hovered, Selection, State};
 use crate::geometry::Vector;
+use crate::render::field_callback;
 use crate::units::millimetres;
 use crate::view::Frame;
 use camera::Camera;
@@ -88,6 +89,10 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     let theme = theme_of(ui);
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, Tokens::of(theme).canvas);
+    if state.preferences.field {
+        let obstacles = state.live.problem().obstacles();
+        painter.add(field_callback(rect, &frame, obstacles, theme));
+    }
     if state.preferences.grid {
         paint::grid(&painter, &frame, theme);
     }

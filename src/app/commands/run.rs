@@ -1,7 +1,7 @@
 //! What each command does.
 
 use super::Command;
-use crate::app::state::{Selection, State};
+use crate::app::state::{Selection, State, Views};
 use eframe::egui::{Context, Theme, ThemePreference};
 
 /// Runs a command, if it would do anything.
@@ -32,7 +32,13 @@ pub fn run(command: Command, state: &mut State, ctx: &Context) {
             state.transport.toggle(pull_mm, span);
         }
         Command::FromStraight => state.restart(),
-        Command::Fit => state.canvas.fit_soon(),
+        Command::Fit => {
+            state.canvas.fit_soon();
+            state.space.fit_soon();
+        }
+        Command::ViewPlane => state.preferences.views = Views::Plane,
+        Command::ViewSpace => state.preferences.views = Views::Space,
+        Command::ViewBoth => state.preferences.views = Views::Both,
         Command::Outline => state.preferences.outline ^= true,
         Command::Dock => state.preferences.dock ^= true,
         Command::Field => state.preferences.field ^= true,
