@@ -179,7 +179,7 @@ impl Triangles {
     }
 
     /// Adds a convex outline drawn out along z from `back` to `front`, with a
-    /// bevelled front and no back.
+    /// bevelled front.
     pub fn prism(
         &mut self,
         outline: &[Corner],
@@ -217,9 +217,14 @@ impl Triangles {
                 }
             }
         }
+        let behind = self.vertices.len() as u32;
+        for corner in outline {
+            self.vertex(corner.position.push(back), -Point::z(), material, FOOT);
+        }
         let face = start + 3 * count;
         for i in 2..count {
             self.indices.extend([face, face + i - 1, face + i]);
+            self.indices.extend([behind, behind + i, behind + i - 1]);
         }
     }
 }
@@ -422,8 +427,7 @@ mod tests {
             let (corners, bevel) =
                 outline::corners(&obstacle, &area_shown, origin, 1e-4, 0.1).unwrap();
             let mut prism = Triangles::default();
-            // On z = 0, where its missing back has no volume above it.
-            prism.prism(&corners, [0.0, 0.5], bevel as f32, &GREY);
+            prism.prism(&corners, [-0.2, 0.3], bevel as f32, &GREY);
             prism.check();
             let volume = 0.5 * area;
             assert!(

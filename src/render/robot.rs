@@ -182,10 +182,17 @@ pub fn mesh(
             Flat::new(normal.x as f32, normal.y as f32)
         });
         let steps = (160 / n).clamp(2, 8);
-        let smooth = smooth(&backbone, ends, steps);
-        solids.tube(&smooth, sizes.backbone as f32, 18, &materials.backbone);
-        let cable: Vec<Flat> = solution.cable(problem.robot().offset).map(flat).collect();
-        let cable = smooth_line(&cable);
+        // Both run on into the base, and the backbone through the last disk.
+        let into = sizes.rim as f32;
+        let over = 0.55 * sizes.disk as f32;
+        let mut line = smooth(&backbone, ends, steps);
+        line.insert(0, (line[0].0 - into * ends[0], ends[0]));
+        line.push((backbone[n - 1] + over * ends[1], ends[1]));
+        solids.tube(&line, sizes.backbone as f32, 18, &materials.backbone);
+        let cable = solution.cable(problem.robot().offset).map(flat);
+        let mut cable = straight(&cable.collect::<Vec<_>>());
+        cable.insert(0, (cable[0].0 - into * ends[0], ends[0]));
+        cable.push((cable[n].0 + over * ends[1], ends[1]));
         solids.tube(&cable, sizes.cable as f32, 12, &materials.cable);
     }
     let mut overlay = Triangles::default();
@@ -339,7 +346,7 @@ fn smooth(points: &[Flat], ends: [Flat; 2], steps: usize) -> Vec<(Flat, Flat)> {
 
 /// The straight pieces between points with the unit directions of their
 /// corners.
-fn smooth_line(points: &[Flat]) -> Vec<(Flat, Flat)> {
+fn straight(points: &[Flat]) -> Vec<(Flat, Flat)> {
     let last = points.len() - 1;
     let direction = |i: usize| points[(i + 1).min(last)] - points[i.saturating_sub(1)];
     (0..=last)
