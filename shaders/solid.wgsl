@@ -140,7 +140,7 @@ fn shaded(in: Surface) -> vec3f {
     // Diffuse: sky and ground, the key light, a cool fill from the right.
     let sky = mix(view.ground.rgb, view.sky.rgb, 0.5 + 0.5 * n.y);
     let fill = max(dot(n, normalize(vec3f(0.8, 0.1, 0.45))), 0.0);
-    var diffuse = sky * open * (0.75 + 0.25 * n.z);
+    var diffuse = sky * open * (0.85 + 0.15 * n.z);
     diffuse += vec3f(1.0, 0.975, 0.94) * max(towards, 0.0) * shadow * 0.95;
     diffuse += vec3f(0.86, 0.93, 1.0) * fill * 0.16 * open;
     // Specular: the key light's highlight and the studio's reflection.

@@ -219,7 +219,7 @@ impl Triangles {
         }
         let behind = self.vertices.len() as u32;
         for corner in outline {
-            self.vertex(corner.position.push(back), -Point::z(), material, FOOT);
+            self.vertex(corner.position.push(back), -Point::z(), material, 1.0);
         }
         let face = start + 3 * count;
         for i in 2..count {
