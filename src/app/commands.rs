@@ -5,6 +5,7 @@ mod run;
 
 pub use run::run;
 
+use super::canvas::Tool;
 use super::look::icons;
 use super::state::State;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
@@ -16,10 +17,14 @@ pub enum Command {
     Undo,
     /// Takes the step again.
     Redo,
+    /// Adds a copy of the obstacle that is selected.
+    Duplicate,
     /// Deletes what is selected.
     Delete,
-    /// Deselects.
+    /// Gives up what is being dragged or drawn, or deselects.
     Deselect,
+    /// Takes a tool of the canvas in hand.
+    Tool(Tool),
     /// Plays or pauses.
     Play,
     /// Follows the scene anew from the straight robot.
@@ -51,6 +56,8 @@ pub enum Command {
 pub enum Group {
     /// Steps and what is selected.
     Edit,
+    /// What clicks on the canvas do.
+    Tools,
     /// The pull.
     Robot,
     /// What is shown.
@@ -109,8 +116,15 @@ const fn ctrl_shift(key: Key) -> Option<KeyboardShortcut> {
 pub const ALL: &[Entry] = &[
     entry(Command::Undo, Group::Edit, "Undo", icons::ARROW_U_UP_LEFT, ctrl(Key::Z)),
     entry(Command::Redo, Group::Edit, "Redo", icons::ARROW_U_UP_RIGHT, ctrl_shift(Key::Z)),
+    entry(Command::Duplicate, Group::Edit, "Duplicate", icons::COPY, ctrl(Key::D)),
     entry(Command::Delete, Group::Edit, "Delete", icons::TRASH, key(Key::Delete)),
-    entry(Command::Deselect, Group::Edit, "Deselect", icons::X, key(Key::Escape)),
+    entry(Command::Deselect, Group::Edit, "Give up or deselect", icons::X, key(Key::Escape)),
+    entry(Command::Tool(Tool::Select), Group::Tools, "Select and move", Tool::Select.icon(), key(Key::V)),
+    entry(Command::Tool(Tool::Disc), Group::Tools, "Add a disc", Tool::Disc.icon(), key(Key::D)),
+    entry(Command::Tool(Tool::Box), Group::Tools, "Add a box", Tool::Box.icon(), key(Key::B)),
+    entry(Command::Tool(Tool::Capsule), Group::Tools, "Add a capsule", Tool::Capsule.icon(), key(Key::K)),
+    entry(Command::Tool(Tool::Polygon), Group::Tools, "Draw a polygon", Tool::Polygon.icon(), key(Key::P)),
+    entry(Command::Tool(Tool::Wall), Group::Tools, "Add a wall", Tool::Wall.icon(), key(Key::W)),
     entry(Command::Play, Group::Robot, "Play or pause", icons::PLAY, key(Key::Space)),
     entry(Command::FromStraight, Group::Robot, "Start from straight", icons::CLOCK_COUNTER_CLOCKWISE, key(Key::R)),
     entry(Command::Fit, Group::View, "Show everything", icons::CORNERS_OUT, key(Key::F)),
@@ -146,8 +160,11 @@ impl Command {
         match self {
             Command::Undo => state.history.can_undo(&state.document.scene),
             Command::Redo => state.history.can_redo(),
-            Command::Delete => state.selection.obstacle().is_some(),
-            Command::Deselect => state.selection != super::state::Selection::Nothing,
+            Command::Delete | Command::Duplicate => state.selection.obstacle().is_some(),
+            Command::Deselect => {
+                state.canvas.is_giving_up_something()
+                    || state.selection != super::state::Selection::Nothing
+            }
             _ => true,
         }
     }

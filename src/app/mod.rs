@@ -23,6 +23,7 @@ mod transport;
 pub mod window;
 mod words;
 
+pub use canvas::{Hints, Tool};
 pub use commands::Command;
 pub use document::Document;
 pub use state::{Hovered, Preferences, Selection, State, Views};
@@ -91,6 +92,7 @@ impl eframe::App for Sinew {
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let state = &mut self.state;
+        canvas::hold_space(ui.ctx(), state);
         state.commands.extend(commands::pressed(ui.ctx()));
         panels::show(ui, state);
         egui::CentralPanel::no_frame().show(ui, |ui| views(ui, state));

@@ -1,7 +1,7 @@
 //! What every part of the window reads and changes.
 
 use super::backend::SolverBackend;
-use super::canvas::Canvas;
+use super::canvas::{Canvas, Hints};
 use super::commands::Command;
 use super::document::{Document, Settled};
 use super::history::{Gesture, History};
@@ -86,6 +86,8 @@ pub struct Preferences {
     pub theme: eframe::egui::ThemePreference,
     /// Enlarges everything.
     pub zoom: f32,
+    /// Which hints were of use already.
+    pub hints: Hints,
 }
 
 impl Default for Preferences {
@@ -99,6 +101,7 @@ impl Default for Preferences {
             dock: true,
             theme: eframe::egui::ThemePreference::System,
             zoom: 1.0,
+            hints: Hints::default(),
         }
     }
 }
@@ -204,11 +207,6 @@ impl State {
             Settled::Unchanged => {}
             Settled::Changed => {
                 self.refusal = None;
-                if let Selection::Obstacle(index) = self.selection
-                    && index >= self.document.scene.obstacles.len()
-                {
-                    self.selection = Selection::Nothing;
-                }
                 self.ask(StartFrom::Last);
                 self.redraw();
                 ctx.request_repaint();
@@ -219,8 +217,20 @@ impl State {
                 ctx.request_repaint();
             }
         }
+        let count = self.document.scene.obstacles.len();
+        if self
+            .selection
+            .obstacle()
+            .is_some_and(|index| index >= count)
+        {
+            self.selection = Selection::Nothing;
+        }
         let gesture = self.gesture(ctx);
         self.history.observe(&self.document.scene, gesture);
+        if self.hovering != self.hovered {
+            // Its twins light up in parts that were shown before this was known.
+            ctx.request_repaint();
+        }
         self.hovered = std::mem::take(&mut self.hovering);
     }
 

@@ -1,7 +1,9 @@
 //! What each command does.
 
 use super::Command;
+use crate::app::canvas::copied;
 use crate::app::state::{Selection, State, Views};
+use crate::scene::Obstacle;
 use eframe::egui::{Context, Theme, ThemePreference};
 
 /// Runs a command, if it would do anything.
@@ -19,13 +21,32 @@ pub fn run(command: Command, state: &mut State, ctx: &Context) {
             state.transport.stop();
             state.history.redo(scene);
         }
+        Command::Duplicate => {
+            let original = state.selection.obstacle();
+            if let Some(original) = original.and_then(|index| scene.obstacles.get(index)) {
+                let copy = Obstacle {
+                    name: original.name.as_ref().map(|name| format!("{name} copy")),
+                    shape: copied(&original.shape, &scene.robot),
+                };
+                scene.obstacles.push(copy);
+                state.selection = Selection::Obstacle(scene.obstacles.len() - 1);
+            }
+        }
         Command::Delete => {
-            if let Some(index) = state.selection.obstacle() {
+            if let Some(index) = state.selection.obstacle()
+                && let Some(obstacle) = scene.obstacles.get_mut(index)
+                && !state.canvas.remove_vertex(index, &mut obstacle.shape)
+            {
                 scene.obstacles.remove(index);
                 state.selection = Selection::Nothing;
             }
         }
-        Command::Deselect => state.selection = Selection::Nothing,
+        Command::Deselect => {
+            if !state.canvas.give_up(scene) {
+                state.selection = Selection::Nothing;
+            }
+        }
+        Command::Tool(tool) => state.canvas.take_tool(tool),
         Command::Play => {
             let span = state.span_mm();
             let pull_mm = &mut state.document.scene.actuation.pull_mm;
