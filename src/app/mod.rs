@@ -11,6 +11,7 @@ pub mod backend;
 mod canvas;
 mod commands;
 mod document;
+pub mod examples;
 mod history;
 pub mod link;
 mod live;
