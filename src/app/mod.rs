@@ -14,7 +14,7 @@ mod document;
 mod history;
 mod live;
 pub mod look;
-mod panels;
+pub mod panels;
 mod state;
 mod transport;
 #[cfg(not(target_arch = "wasm32"))]

@@ -6,6 +6,7 @@ use super::commands::Command;
 use super::document::{Document, Settled};
 use super::history::{Gesture, History};
 use super::live::Live;
+use super::panels::Panels;
 use super::transport::{Transport, span_mm};
 use crate::scene::{Scene, SceneError};
 use crate::solving::StartFrom;
@@ -126,6 +127,8 @@ pub struct State {
     pub hovering: Hovered,
     /// The canvas: where it looks and what is being dragged on it.
     pub canvas: Canvas,
+    /// What the panels keep from frame to frame.
+    pub panels: Panels,
     /// The pull over time.
     pub transport: Transport,
     /// The user's choices.
@@ -152,6 +155,7 @@ impl State {
             hovered: Hovered::Nothing,
             hovering: Hovered::Nothing,
             canvas: Canvas::default(),
+            panels: Panels::default(),
             transport: Transport::default(),
             preferences,
             refusal: None,
