@@ -16,7 +16,7 @@ mod history;
 pub mod link;
 mod live;
 pub mod look;
-mod panels;
+pub mod panels;
 mod space;
 mod state;
 mod transport;

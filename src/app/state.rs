@@ -6,6 +6,7 @@ use super::commands::Command;
 use super::document::{Document, Settled};
 use super::history::{Gesture, History};
 use super::live::Live;
+use super::panels::Panels;
 use super::space::Space;
 use super::transport::{Transport, span_mm};
 use crate::scene::{Scene, SceneError};
@@ -133,6 +134,8 @@ pub struct State {
     pub canvas: Canvas,
     /// The view in space.
     pub space: Space,
+    /// What the panels keep from frame to frame.
+    pub panels: Panels,
     /// The pull over time.
     pub transport: Transport,
     /// The user's choices.
@@ -160,6 +163,7 @@ impl State {
             hovering: Hovered::Nothing,
             canvas: Canvas::default(),
             space: Space::default(),
+            panels: Panels::default(),
             transport: Transport::default(),
             preferences,
             refusal: None,

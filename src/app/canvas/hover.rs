@@ -109,7 +109,7 @@ fn node_chip(problem: &Problem, solution: &Solution, index: usize) -> Chip {
 /// What there is to know of a contact.
 fn contact_chip(state: &State, problem: &Problem, contact: &Contact) -> Chip {
     let part = part_name(problem.robot(), contact);
-    let name = words::obstacle(&state.document.scene, contact.obstacle);
+    let name = words::obstacle_of(&state.document.scene, contact.obstacle);
     let multiplier = contact.multiplier * METRES_PER_MM;
     Chip {
         title: Some(capitalised(&part)),
