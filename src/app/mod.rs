@@ -16,6 +16,7 @@ pub mod link;
 mod live;
 pub mod look;
 mod panels;
+pub mod plots;
 mod state;
 mod transport;
 #[cfg(not(target_arch = "wasm32"))]
