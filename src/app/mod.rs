@@ -17,6 +17,8 @@ pub mod link;
 mod live;
 pub mod look;
 pub mod panels;
+mod panels;
+pub mod plots;
 mod space;
 mod state;
 mod transport;
