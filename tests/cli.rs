@@ -803,6 +803,93 @@ fn a_measured_backbone_is_compared_with_the_computed_one() {
     assert_eq!(rows.lines().count(), 20);
 }
 
+/// The text of a scene of the assets with more at its end.
+fn extended(name: &str, more: &str) -> Vec<u8> {
+    let text = fs::read_to_string(asset(name)).unwrap();
+    format!("{text}\n{more}").into_bytes()
+}
+
+fn json_of_input(args: &[&str], input: &[u8]) -> Value {
+    serde_json::from_str(&check_with(args, input, 0).out).unwrap()
+}
+
+#[test]
+fn a_backbone_in_the_scene_is_compared_too() {
+    let scene = asset("free");
+    let solved = json(&["solve", &scene, "--pull", "7.3", "--format", "json"], 0);
+    let points = format!("[measured]\npoints_mm = {}\n", solved["backbone_mm"]);
+    let nodes = format!("nodes = {:?}\n", (0..19).collect::<Vec<_>>());
+    let args = ["compare", "-", "--format", "json"];
+    for (more, against) in [
+        (points.clone(), "the nearest point of the backbone"),
+        (points + &nodes, "its own node"),
+    ] {
+        let found = json_of_input(&args, &extended("free", &more));
+        assert_eq!(found["against"], against);
+        assert!((number(&found["pull_mm"]) - 7.3).abs() < 1e-5);
+        assert_eq!(list(&found["points"]).len(), 19);
+    }
+    check_refused(
+        &["compare", &scene],
+        b"",
+        &format!(
+            "{scene}: the scene holds no measured backbone; name a CSV file of one, or add measured.points_mm"
+        ),
+    );
+    check_refused(
+        &["compare", "-"],
+        &extended("free", "[measured]\npoints_mm = [[0, 0], [0, 90], [0, 40]]"),
+        "standard input: measured.points_mm: row 3 turns back along the robot; order rows from base to tip",
+    );
+}
+
+#[test]
+fn a_scene_gives_its_own_stiffness_and_calibration() {
+    let measured = "[measured]\ncalibration = 1\n
+        [[measured.force]]\nload_g = 50\nforce_g = 3.5\n
+        [[measured.force]]\nload_g = 250\nforce_g = 17.8\n";
+    let text = String::from_utf8(extended("load-cell", measured)).unwrap();
+    let stiff = "cable_offset_mm = 8\nbending_stiffness_nmm2 = 8747.09";
+    let scene = text.replacen("cable_offset_mm = 8", stiff, 1);
+    let force = |options: &[&str]| {
+        let args = [&["force", "-", "--format", "json"], options].concat();
+        json_of_input(&args, scene.as_bytes())
+    };
+    let by_flags = json(
+        &[
+            "force",
+            &asset("load-cell"),
+            "--format",
+            "json",
+            "--measured",
+            "250:17.8",
+            "--ei",
+            "8747.09",
+        ],
+        0,
+    );
+    let by_scene = force(&[]);
+    assert_eq!(by_scene["loads"], by_flags["loads"]);
+    assert_eq!(by_scene["friction"], by_flags["friction"]);
+    let multipliers = &by_scene["by_multipliers"];
+    assert_eq!(multipliers["ei_from"], "robot.bending_stiffness_nmm2");
+    assert_eq!(
+        by_scene["friction_from"],
+        "measured.calibration, 17.8 g under 250 g"
+    );
+
+    let overruled = force(&["--friction", "-0.5", "--rod", "2.2:3"]);
+    assert_eq!(overruled["friction_from"], "--friction");
+    assert_eq!(number(&overruled["friction"]), -0.5);
+    assert_eq!(overruled["by_multipliers"]["ei_from"], "--rod");
+    assert_eq!(
+        force(&["--measured", "50:3.5"])["friction_from"],
+        "--measured"
+    );
+    let told = check_with(&["force", "-"], scene.as_bytes(), 0).out;
+    assert!(told.contains("8747.1 N mm² (robot.bending_stiffness_nmm2)"));
+}
+
 #[test]
 fn measured_points_that_make_no_sense_are_refused_by_row() {
     let scene = asset("free");

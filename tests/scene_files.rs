@@ -4,7 +4,8 @@
 use std::path::PathBuf;
 
 use sinew::scene::{
-    Candidates, Line, Listed, MAX_FILE_BYTES, Obstacle, Scene, SceneError, Shape, limits,
+    Candidates, ForceReading, Line, Listed, MAX_FILE_BYTES, Measurements, Obstacle, Photo, Robot,
+    Scene, SceneError, Shape, limits,
 };
 
 /// A scene with every key there is, one to a line; the edits below count on
@@ -77,6 +78,24 @@ fn the_full_scene_is_fine_and_read_as_written() {
         [100.0, 155.0],
     ];
     assert_eq!(anchors, expected);
+    assert_eq!(scene.robot.bending_stiffness_nmm2, Some(8700.0));
+    let measured = scene.measured.unwrap();
+    assert_eq!(measured.points_mm[1], [6.5, 92.0]);
+    assert_eq!(measured.nodes, [0, 9, 17]);
+    assert_eq!(measured.forces.len(), 2);
+    let chosen = ForceReading {
+        load_g: 250.0,
+        force_g: 17.75,
+    };
+    assert_eq!(measured.calibrating(), Some(&chosen));
+    let expected = Photo {
+        file: "photo.jpg".to_owned(),
+        center_mm: [20.0, 90.0],
+        width_mm: 300.0,
+        rotation_deg: -1.5,
+        opacity: 0.75,
+    };
+    assert_eq!(scene.photo, Some(expected));
 }
 
 #[test]
@@ -87,6 +106,16 @@ fn the_least_scene_is_fine_and_takes_the_defaults() {
     check(text, &[]);
     assert_eq!(Scene::from_toml(text), Ok(Scene::default()));
     assert_eq!(Scene::default().robot.rim_mm(), 8.0);
+    assert_eq!(Scene::default().measured, None);
+
+    let photo = "[photo]\nfile = \"a.png\"\ncenter_mm = [0, 90]\nwidth_mm = 200";
+    let scene = Scene::from_toml(&format!("{text}\n[measured]\n{photo}")).unwrap();
+    assert_eq!(scene.faults(), []);
+    let photo = scene.photo.unwrap();
+    assert_eq!((photo.rotation_deg, photo.opacity), (0.0, 1.0));
+    let nothing = scene.measured.unwrap();
+    assert_eq!(nothing, Measurements::default());
+    assert_eq!(nothing.calibrating(), None);
 }
 
 #[test]
@@ -151,6 +180,20 @@ fn what_is_written_is_read_back_the_same() {
     half_edited.robot.length_mm = f64::INFINITY;
     half_edited.actuation.pull_mm = -1e300;
     half_edited.robot.segments = u32::MAX;
+    half_edited.robot.bending_stiffness_nmm2 = Some(f64::NEG_INFINITY);
+    half_edited.measured = Some(Measurements {
+        points_mm: vec![[f64::INFINITY, -0.0]],
+        nodes: vec![7, 3],
+        calibration: Some(u32::MAX),
+        forces: vec![],
+    });
+    half_edited.photo = Some(Photo {
+        file: String::new(),
+        center_mm: [0.0; 2],
+        width_mm: -1.0,
+        rotation_deg: 1e300,
+        opacity: 7.0,
+    });
     half_edited.obstacles.push(Obstacle::from(Shape::Polygon {
         points_mm: vec![],
         rotation_deg: 0.0,
@@ -179,10 +222,30 @@ fn the_largest_scene_allowed_can_be_read_back() {
     };
     let scene = Scene {
         obstacles: vec![polygon; limits::OBSTACLES],
+        measured: Some(largest_measurements()),
+        robot: Robot {
+            length_mm: 1e5,
+            segments: 1e5 as u32,
+            ..Robot::default()
+        },
         ..Scene::default()
     };
     assert_eq!(scene.check(), Ok(()));
     assert_eq!(Scene::from_toml(&scene.to_toml().unwrap()), Ok(scene));
+}
+
+fn largest_measurements() -> Measurements {
+    let points = (0..limits::MEASURED_POINTS).map(|i| [1.0 / 3.0, i as f64 / 7.0]);
+    let reading = ForceReading {
+        load_g: 1e5 / 3.0,
+        force_g: 1e4 / 7.0,
+    };
+    Measurements {
+        points_mm: points.collect(),
+        nodes: (90_000..).take(limits::MEASURED_POINTS).collect(),
+        calibration: Some(limits::READINGS as u32 - 1),
+        forces: vec![reading; limits::READINGS],
+    }
 }
 
 #[test]
@@ -369,6 +432,26 @@ fn unknown_keys_name_the_nearest_known_one() {
             "obstacle[2].extent is not a key of a scene; use one of shape, name, center_mm, size_mm, rotation_deg, corner_radius_mm",
         ),
         (
+            "load_g",
+            "laod_g",
+            "measured.force[0].laod_g is not a key of a scene; did you mean `load_g`?",
+        ),
+        (
+            "[[measured.force]]",
+            "[[measured.forces]]",
+            "measured.forces is not a key of a scene; did you mean `force`?",
+        ),
+        (
+            "[photo]",
+            "[foto]",
+            "foto is not a key of a scene; did you mean `photo`?",
+        ),
+        (
+            "opacity",
+            "alpha",
+            "photo.alpha is not a key of a scene; use one of file, center_mm, width_mm, rotation_deg, opacity",
+        ),
+        (
             "title",
             "\"ti\\ntle\"",
             "\"ti\\ntle\" is not a key of a scene; did you mean `title`?",
@@ -455,6 +538,22 @@ fn missing_keys_say_what_to_add() {
         (
             "points_mm",
             "obstacle[4].points_mm is missing; add its vertices in order, either way round, a list of points in millimetres, such as [[0, 0], [1, 0], [0, 1]]",
+        ),
+        (
+            "load_g",
+            "measured.force[0].load_g is missing; add the weight on the cable, counted from contact, a number of grams, from 0 to 1000000",
+        ),
+        (
+            "force_g",
+            "measured.force[0].force_g is missing; add the contact force that was read, as a weight, a number of grams, from -1000000 to 1000000",
+        ),
+        (
+            "file",
+            "photo.file is missing; add the picture's file, from the folder of the scene file, a string, \"in quotes\"",
+        ),
+        (
+            "width_mm",
+            "photo.width_mm is missing; add its width in the scene before its turn, a number of millimetres, from 0.001 to 1000000",
         ),
     ] {
         check(&without(key), &[expected]);
@@ -560,9 +659,51 @@ fn wrong_kinds_are_told_in_plain_words() {
             "[110.0, {}]",
             "obstacle[4].points_mm[1][1] is a table; it must be a number of millimetres, from -1000000 to 1000000",
         ),
+        (
+            "8700.0",
+            "\"stiff\"",
+            "robot.bending_stiffness_nmm2 is \"stiff\", a string; it must be a number of N mm², from 1e-6 to 1000000000000",
+        ),
+        (
+            "[0, 9, 17]",
+            "7",
+            "measured.nodes is 7, a number; it must be a list of whole numbers such as [0, 2, 4], each from 0 to 100000",
+        ),
+        (
+            "[0, 9, 17]",
+            "[0, 9.5, 17]",
+            "measured.nodes[1] is 9.5, a number with a decimal point; it must be a whole number, from 0 to 100000",
+        ),
+        (
+            "[6.5, 92.0]",
+            "[6.5, nan, 3]",
+            "measured.points_mm[1] is a list of 3; it must be a pair such as [1, 2], each a number of millimetres, from -1000000 to 1000000",
+        ),
+        (
+            "calibration = 1",
+            "calibration = 1.0",
+            "measured.calibration is 1.0, a number with a decimal point; it must be a whole number, from 0 to 999",
+        ),
+        (
+            "\"photo.jpg\"",
+            "7",
+            "photo.file is 7, a number; it must be a string, \"in quotes\"",
+        ),
+        (
+            "= 0.75",
+            "= \"half\"",
+            "photo.opacity is \"half\", a string; it must be a number, from 0 to 1",
+        ),
     ] {
         check_edit(old, new, &[expected]);
     }
+    let (head, _) = FULL.split_once("[[measured.force]]").unwrap();
+    check(
+        &format!("{head}force = 3"),
+        &[
+            "measured.force is 3, a number; it must be a list of tables, each under its own [[measured.force]]",
+        ],
+    );
     let rest = "version = 1\nactuation = { pull_mm = 1 }\n";
     check(
         &format!("{rest}robot = 3"),
@@ -580,7 +721,7 @@ fn wrong_kinds_are_told_in_plain_words() {
 }
 
 /// Every number of [`FULL`] that may have a fraction, with its place.
-const NUMBERS: [(&str, &str, &str); 23] = [
+const NUMBERS: [(&str, &str, &str); 29] = [
     (
         "length_mm = 180.0",
         "robot.length_mm",
@@ -696,6 +837,36 @@ const NUMBERS: [(&str, &str, &str); 23] = [
         "obstacle[4].corner_radius_mm",
         "from 0 to 1000000 mm",
     ),
+    (
+        "[6.5",
+        "measured.points_mm[1][0]",
+        "from -1000000 to 1000000 mm",
+    ),
+    (
+        "load_g = 50.0",
+        "measured.force[0].load_g",
+        "from 0 to 1000000 g",
+    ),
+    (
+        "force_g = 3.5",
+        "measured.force[0].force_g",
+        "from -1000000 to 1000000 g",
+    ),
+    (
+        "center_mm = [20.0",
+        "photo.center_mm[0]",
+        "from -1000000 to 1000000 mm",
+    ),
+    (
+        "width_mm = 300.0",
+        "photo.width_mm",
+        "from 0.001 to 1000000 mm",
+    ),
+    (
+        "rotation_deg = -1.5",
+        "photo.rotation_deg",
+        "from -36000 to 36000 deg",
+    ),
 ];
 
 #[test]
@@ -728,6 +899,127 @@ fn numbers_out_of_range_give_field_value_range_and_unit() {
             );
         }
     }
+}
+
+#[test]
+fn stiffnesses_and_shares_have_ranges_of_their_own() {
+    let stiffness = "from 1e-6 to 1000000000000";
+    for value in ["inf", "-inf", "1e300", "0", "-0.0", "-5", "9e-7"] {
+        let expected = format!(
+            "robot.bending_stiffness_nmm2 is {value} N mm²; set it to a value {stiffness} N mm²"
+        );
+        check_edit("8700.0", value, &[&expected]);
+    }
+    check_edit("8700.0", "1e12", &[]);
+    for value in ["inf", "-inf", "1.5", "-0.0001", "1e300"] {
+        let expected = format!("photo.opacity is {value}; set it to a value from 0 to 1");
+        check_edit("0.75", value, &[&expected]);
+    }
+    check_edit("0.75", "0", &[]);
+    for nan in ["nan", "-nan"] {
+        let expected = "robot.bending_stiffness_nmm2 is nan, not a number; set it to a value from 1e-6 to 1000000000000 N mm²";
+        check_edit("8700.0", nan, &[expected]);
+        let expected = "photo.opacity is nan, not a number; set it to a value from 0 to 1";
+        check_edit("0.75", nan, &[expected]);
+    }
+}
+
+#[test]
+fn measurements_that_contradict_themselves_are_named() {
+    let points = "[[1.0, 2.0], [6.5, 92.0], [30.0, 175.0]]";
+    let both = format!("points_mm = {points}\nnodes = [0, 9, 17]");
+    check_edit(&both, "", &[]);
+    check_edit(
+        &both,
+        "points_mm = [[1, 2]]",
+        &["measured.points_mm has 1 of the at least 2 entries it needs; add some, or remove it"],
+    );
+    check_edit("nodes = [0, 9, 17]", "", &[]);
+    check_edit(
+        "[0, 9, 17]",
+        "[0, 9]",
+        &[
+            "measured.nodes has 2 entries, and measured.points_mm has 3; name one node for each point, or remove nodes",
+        ],
+    );
+    check_edit(
+        "[0, 9, 17]",
+        "[0, 9, 9]",
+        &[
+            "measured.nodes[2] is 9, which does not come after the 9 before it; order points and nodes from base to tip",
+        ],
+    );
+    check_edit(
+        "[0, 9, 17]",
+        "[0, 9, 19]",
+        &["measured.nodes[2] is 19; set it to a value from 0 to robot.segments, 18"],
+    );
+    for value in ["-1", "100001", "9223372036854775807"] {
+        check_edit(
+            "[0, 9, 17]",
+            &format!("[0, 9, {value}]"),
+            &[&format!(
+                "measured.nodes[2] is {value}; set it to a value from 0 to 100000"
+            )],
+        );
+    }
+    for value in ["-1", "1000", "4294967296"] {
+        check_edit(
+            "calibration = 1",
+            &format!("calibration = {value}"),
+            &[&format!(
+                "measured.calibration is {value}; set it to a value from 0 to 999"
+            )],
+        );
+    }
+    check_edit(
+        "calibration = 1",
+        "calibration = 2",
+        &["measured.calibration is 2; set it to a value from 0 to the last [[measured.force]], 1"],
+    );
+    for force in ["0", "-3"] {
+        check_edit(
+            "force_g = 17.75",
+            &format!("force_g = {force}"),
+            &[&format!(
+                "measured.calibration is 1, a reading of {force} g under 250 g, which fixes no ratio; choose a reading with a positive load and force"
+            )],
+        );
+    }
+    let (head, _) = FULL.split_once("[[measured.force]]").unwrap();
+    check(
+        head,
+        &[
+            "measured.calibration is 1, and there are no readings; add them, each under its own [[measured.force]], or remove calibration",
+        ],
+    );
+    for blank in ["\"\"", "\" \\t\""] {
+        check_edit(
+            "\"photo.jpg\"",
+            blank,
+            &["photo.file is empty; name the picture's file, or remove [photo]"],
+        );
+    }
+}
+
+#[test]
+fn too_many_measurements_are_counted() {
+    let mut measured = largest_measurements();
+    measured.points_mm.push([f64::NAN; 2]);
+    measured.nodes.clear();
+    measured.forces.extend([measured.forces[0]; 5]);
+    let scene = Scene {
+        measured: Some(measured),
+        ..Scene::default()
+    };
+    let sentences: Vec<_> = scene.faults().iter().map(ToString::to_string).collect();
+    assert_eq!(
+        sentences,
+        [
+            "measured.points_mm has 10001 entries; at most 10000 are allowed: remove 1",
+            "measured.force has 1005 entries; at most 1000 are allowed: remove 5",
+        ]
+    );
 }
 
 #[test]
@@ -864,13 +1156,19 @@ fn faults_come_all_and_in_file_order() {
     let text = FULL
         .replace("radius_mm = 15.0", "radius_mm = -15")
         .replace("length_mm = 180.0", "length_mm = nan")
-        .replace("pull_mm = 5.0", "pull_mm = inf");
+        .replace("pull_mm = 5.0", "pull_mm = inf")
+        .replace("width_mm = 300.0", "width_mm = 0")
+        .replace("= 8700.0", "= -1.0")
+        .replace("[6.5, 92.0]", "[nan, 92.0]");
     check(
         &text,
         &[
             "robot.length_mm is nan, not a number; set it to a value from 1 to 100000 mm",
+            "robot.bending_stiffness_nmm2 is -1 N mm²; set it to a value from 1e-6 to 1000000000000 N mm²",
             "actuation.pull_mm is inf mm; set it to a value from -100000 to 100000 mm",
             "obstacle[0].radius_mm is -15 mm; set it to a value from 0.001 to 1000000 mm",
+            "measured.points_mm[1][0] is nan, not a number; set it to a value from -1000000 to 1000000 mm",
+            "photo.width_mm is 0 mm; set it to a value from 0.001 to 1000000 mm",
         ],
     );
     let scene = Scene::from_toml(&text).unwrap();

@@ -41,9 +41,12 @@ const EXTREMES: [&str; 24] = [
 ];
 
 /// Pieces spliced in anywhere.
-const PIECES: [&str; 14] = [
+const PIECES: [&str; 17] = [
     "[[obstacle]]\n",
     "[contact]\n",
+    "[measured]\n",
+    "[[measured.force]]\n",
+    "[photo]\n",
     "\"",
     "'''",
     "[",
@@ -189,6 +192,21 @@ fn examine(bytes: &[u8]) -> Result<Outcome, TestCaseError> {
     let table: toml::Value =
         toml::from_str(&written).map_err(|error| TestCaseError::fail(error.to_string()))?;
     prop_assert!(all_moderate(&table), "{written}");
+    let stiffness = scene.robot.bending_stiffness_nmm2;
+    prop_assert!(
+        stiffness.is_none_or(|ei| 0.0 < ei && ei <= 1e12),
+        "{written}"
+    );
+    if let Some(measured) = &scene.measured {
+        let chosen = measured.calibrating();
+        prop_assert_eq!(chosen.is_some(), measured.calibration.is_some());
+        let named = [0, measured.points_mm.len()].contains(&measured.nodes.len());
+        prop_assert!(named && measured.nodes.is_sorted(), "{written}");
+        prop_assert!(
+            chosen.is_none_or(|reading| reading.force_g > 0.0),
+            "{written}"
+        );
+    }
     prop_assert!(
         scene.robot.length_mm >= 1.0 && scene.robot.cable_offset_mm >= 0.01,
         "{written}"
@@ -205,13 +223,16 @@ fn examine(bytes: &[u8]) -> Result<Outcome, TestCaseError> {
 }
 
 /// Whether every number is finite and at most a million, the widest range of
-/// any field.
+/// any field but the stiffness.
 fn all_moderate(value: &toml::Value) -> bool {
     match value {
         toml::Value::Float(number) => number.abs() <= 1e6,
         toml::Value::Integer(number) => number.abs() <= 1_000_000,
         toml::Value::Array(items) => items.iter().all(all_moderate),
-        toml::Value::Table(table) => table.iter().all(|(_, item)| all_moderate(item)),
+        toml::Value::Table(table) => table
+            .iter()
+            .filter(|(key, _)| *key != "bending_stiffness_nmm2")
+            .all(|(_, item)| all_moderate(item)),
         _ => true,
     }
 }

@@ -42,7 +42,8 @@ Examples:
 const COMPARE_EXAMPLES: &str = "\
 Examples:
   sinew compare free.toml photo.csv                 the pull that fits best
-  sinew compare free.toml photo.csv --pull 10 --out both.svg";
+  sinew compare free.toml photo.csv --pull 10 --out both.svg
+  sinew compare measured.toml                       the points in the scene";
 
 const REPRODUCE_EXAMPLES: &str = "\
 Examples:
@@ -179,7 +180,8 @@ pub(super) struct Force {
     #[arg(long, value_enum, default_value_t = Motion::Free)]
     pub motion: Motion,
 
-    /// mu = P_y / P_x; 0 where neither this nor a measured point is given.
+    /// mu = P_y / P_x; where neither this nor a measured point is given, what
+    /// the scene's calibration says, or else 0.
     #[arg(
         long,
         value_name = "MU",
@@ -192,7 +194,8 @@ pub(super) struct Force {
     #[arg(long, value_name = "LOAD:FORCE", allow_hyphen_values = true)]
     pub measured: Option<String>,
 
-    /// The backbone's bending stiffness EI in N mm², for forces by multipliers.
+    /// The backbone's bending stiffness EI in N mm², for forces by multipliers;
+    /// the scene's, where no stiffness is given here.
     #[arg(
         long,
         value_name = "EI",
@@ -242,8 +245,9 @@ pub(super) struct Compare {
     pub scene: PathBuf,
 
     /// The measured backbone: CSV with columns x_mm, y_mm and perhaps node, in
-    /// the scene's frame, base to tip; - for standard input.
-    pub measured: PathBuf,
+    /// the scene's frame, base to tip; - for standard input. The one in the
+    /// scene, where none is named.
+    pub measured: Option<PathBuf>,
 
     /// The pull in mm, where it is known; otherwise the one that fits best.
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]

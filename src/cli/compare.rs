@@ -16,15 +16,20 @@ use crate::experiments::{
 use crate::geometry::Vector;
 use crate::model::Problem;
 use crate::report::chart;
+use crate::scene::Scene;
 use crate::units::millimetres;
 
 pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
-    if what.scene.as_os_str() == "-" && what.measured.as_os_str() == "-" {
+    let standard_input = |path: &std::path::PathBuf| path.as_os_str() == "-";
+    if standard_input(&what.scene) && what.measured.as_ref().is_some_and(standard_input) {
         let both = "the scene and the measured backbone cannot both be standard input";
         return Err(BadInput::Arguments(both.to_owned()).into());
     }
     let (scene, problem) = input::problem(&what.scene, what.pull)?;
-    let measured = tables::measured(&what.measured, &problem)?;
+    let measured = match &what.measured {
+        Some(path) => tables::measured(path, &problem)?,
+        None => held(&scene, &problem, &input::origin(&what.scene))?,
+    };
     let (problem, solution, fit) = match what.pull {
         Some(_) => {
             let solution = solve(&problem, Start::Straight, Settings::default());
@@ -58,6 +63,18 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
     };
     reader(written.and_then(|()| out.flush()))?;
     Ok(Outcome::Done)
+}
+
+/// The measured backbone that the scene itself holds.
+fn held(scene: &Scene, problem: &Problem, origin: &str) -> Result<Measured, BadInput> {
+    match &scene.measured {
+        Some(held) if !held.points_mm.is_empty() => Measured::of_scene(held, problem)
+            .map_err(|fault| BadInput::Arguments(format!("{origin}: measured.points_mm: {fault}"))),
+        _ => Err(BadInput::Arguments(format!(
+            "{origin}: the scene holds no measured backbone; name a CSV file of one, or add \
+             measured.points_mm"
+        ))),
+    }
 }
 
 const SCHEMA: &str = "sinew-compare-1";

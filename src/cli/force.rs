@@ -8,15 +8,14 @@ use serde::Serialize;
 use super::arguments::{Force, Format, Motion};
 use super::input::{self, BadInput};
 use super::output::{printable, reader};
-use super::{Failure, Outcome, numbers};
+use super::{Failure, Outcome, force_text, numbers};
 use crate::equilibrium::{Settings, Start, Status, solve};
-use crate::experiments::shown;
 use crate::forces::{
     Loading, Profile, Rates, Stiffness, Sweep, SweepError, VirtualWork, Window, part_name,
     share_of_tension,
 };
 use crate::model::Problem;
-use crate::scene::Scene;
+use crate::scene::{Measurements, Scene};
 use crate::units::{
     degrees, grams, metres, millimetres, newton_square_metres, newton_square_millimetres, newtons,
 };
@@ -37,7 +36,7 @@ pub(super) fn run(what: &Force) -> Result<Outcome, Failure> {
     };
     let mut out = BufWriter::new(io::stdout().lock());
     let written = match what.format {
-        Format::Text => text(&mut out, &found),
+        Format::Text => force_text::text(&mut out, &found),
         Format::Json => json(&mut out, &found),
         Format::Csv => csv(&mut out, &found),
     };
@@ -71,89 +70,93 @@ const SCHEMA: &str = "sinew-force-1";
 
 /// Everything that is printed.
 #[derive(Serialize)]
-struct Found {
-    schema: &'static str,
-    title: String,
-    node: usize,
-    motion: &'static str,
-    window_mm: [f64; 2],
-    x: Line,
-    y: Line,
-    slope: Line,
-    friction: f64,
-    force_per_load: f64,
-    caveats: Vec<String>,
+pub(super) struct Found {
+    pub schema: &'static str,
+    pub title: String,
+    pub node: usize,
+    pub motion: &'static str,
+    pub window_mm: [f64; 2],
+    pub x: Line,
+    pub y: Line,
+    pub slope: Line,
+    pub friction: f64,
+    /// Where the friction comes from: an option, a field of the scene, or neither.
+    pub friction_from: String,
+    pub force_per_load: f64,
+    pub caveats: Vec<String>,
     /// At the scene's own pull.
-    contacts: Vec<Share>,
-    pull_mm: f64,
+    pub contacts: Vec<Share>,
+    pub pull_mm: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    by_multipliers: Option<ByMultipliers>,
-    loads: Vec<Row>,
+    pub by_multipliers: Option<ByMultipliers>,
+    pub loads: Vec<Row>,
 }
 
 /// A straight line over the pull: x and y in mm, the slope in degrees.
 #[derive(Serialize)]
-struct Line {
-    per_mm: f64,
-    intercept: f64,
-    rms_residual: f64,
-    max_residual: f64,
-    r_squared: f64,
-    points: usize,
+pub(super) struct Line {
+    pub per_mm: f64,
+    pub intercept: f64,
+    pub rms_residual: f64,
+    pub max_residual: f64,
+    pub r_squared: f64,
+    pub points: usize,
 }
 
 /// A contact's force over the cable's tension.
 #[derive(Serialize)]
-struct Share {
-    contact: String,
-    node: usize,
-    obstacle: usize,
+pub(super) struct Share {
+    pub contact: String,
+    pub node: usize,
+    pub obstacle: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
-    force_over_tension: Option<f64>,
+    pub force_over_tension: Option<f64>,
 }
 
 #[derive(Serialize)]
-struct ByMultipliers {
-    ei_n_mm2: f64,
+pub(super) struct ByMultipliers {
+    pub ei_n_mm2: f64,
+    /// Where it comes from: an option or a field of the scene.
+    pub ei_from: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    contact_pull_mm: Option<f64>,
-    datum_g: f64,
+    pub contact_pull_mm: Option<f64>,
+    pub datum_g: f64,
 }
 
 #[derive(Serialize)]
-struct Row {
-    load_g: f64,
-    force_x_g: f64,
-    force_y_g: f64,
+pub(super) struct Row {
+    pub load_g: f64,
+    pub force_x_g: f64,
+    pub force_y_g: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    multipliers: Option<Loaded>,
+    pub multipliers: Option<Loaded>,
 }
 
 /// The state under a load, by multipliers.
 #[derive(Serialize)]
-struct Loaded {
-    pull_mm: f64,
-    tension_g: f64,
+pub(super) struct Loaded {
+    pub pull_mm: f64,
+    pub tension_g: f64,
     /// The sum of the normal forces on obstacles.
-    force_g: f64,
-    force_n: f64,
-    contacts: Vec<Pressed>,
-    clamp_force_n: [f64; 2],
-    clamp_moment_n_mm: f64,
-    unbalanced_force: f64,
-    unbalanced_moment: f64,
+    pub force_g: f64,
+    pub force_n: f64,
+    pub contacts: Vec<Pressed>,
+    pub clamp_force_n: [f64; 2],
+    pub clamp_moment_n_mm: f64,
+    pub unbalanced_force: f64,
+    pub unbalanced_moment: f64,
 }
 
 #[derive(Serialize)]
-struct Pressed {
-    contact: String,
-    node: usize,
-    obstacle: usize,
-    point_mm: [f64; 2],
-    normal: [f64; 2],
-    force_g: f64,
+pub(super) struct Pressed {
+    pub contact: String,
+    pub node: usize,
+    pub obstacle: usize,
+    pub point_mm: [f64; 2],
+    pub normal: [f64; 2],
+    pub force_g: f64,
     /// What the obstacle exerts on the robot.
-    on_robot_n: [f64; 2],
+    pub on_robot_n: [f64; 2],
 }
 
 fn estimate(
@@ -177,18 +180,33 @@ fn estimate(
     let pulls = Sweep::pulls(window.first, window.last, PULLS);
     let rates = Rates::fit(&Sweep::of(&mover, node, &pulls)?, window).map_err(wrong)?;
     let offset = problem.robot().offset;
-    let estimator = match &what.measured {
-        Some(text) => {
+    let calibrated =
+        |load, force| VirtualWork::calibrated(offset, rates, newtons(load), newtons(force));
+    let held = scene.measured.as_ref().and_then(Measurements::calibrating);
+    let (estimator, friction_from) = match (&what.measured, what.friction, held) {
+        (Some(text), _, _) => {
             let (load, force) = pair("--measured", text)?;
-            VirtualWork::calibrated(offset, rates, newtons(load), newtons(force))
+            (calibrated(load, force), "--measured".to_owned())
         }
-        None => VirtualWork::new(offset, rates, what.friction.unwrap_or(0.0)),
-    }
-    .map_err(wrong)?;
-    let loading = match stiffness(what, problem)? {
-        Some(ei) => {
+        (None, Some(friction), _) => (
+            VirtualWork::new(offset, rates, friction),
+            "--friction".to_owned(),
+        ),
+        (None, None, Some(reading)) => {
+            let (load, force) = (reading.load_g, reading.force_g);
+            let from = format!("measured.calibration, {force} g under {load} g");
+            (calibrated(load, force), from)
+        }
+        (None, None, None) => (
+            VirtualWork::new(offset, rates, 0.0),
+            "none given".to_owned(),
+        ),
+    };
+    let estimator = estimator.map_err(wrong)?;
+    let loading = match stiffness(what, scene, problem)? {
+        Some((ei, from)) => {
             let loads: Vec<f64> = loads.iter().map(|load| newtons(*load)).collect();
-            Some((ei, Loading::of(problem, ei, &loads)?))
+            Some((ei, from, Loading::of(problem, ei, &loads)?))
         }
         None => None,
     };
@@ -203,7 +221,7 @@ fn estimate(
             force_y_g: grams(force.y) + 0.0,
             multipliers: loading
                 .as_ref()
-                .map(|(_, loading)| loaded(scene, problem, &loading.states[index])),
+                .map(|(_, _, loading)| loaded(scene, problem, &loading.states[index])),
         });
     }
     Ok(Found {
@@ -216,12 +234,14 @@ fn estimate(
         y: line(&rates.y, millimetres),
         slope: line(&rates.angle, degrees),
         friction: estimator.friction(),
+        friction_from,
         force_per_load: estimator.force_per_load(),
         caveats: caveats.iter().map(ToString::to_string).collect(),
         contacts,
         pull_mm,
-        by_multipliers: loading.as_ref().map(|(ei, loading)| ByMultipliers {
+        by_multipliers: loading.as_ref().map(|(ei, from, loading)| ByMultipliers {
             ei_n_mm2: newton_square_millimetres(ei.value()),
+            ei_from: from,
             contact_pull_mm: loading.contact.map(millimetres),
             datum_g: grams(loading.datum),
         }),
@@ -245,17 +265,21 @@ fn line(fit: &crate::forces::LineFit, unit: fn(f64) -> f64) -> Line {
     }
 }
 
-/// The stiffness asked for.
-fn stiffness(what: &Force, problem: &Problem) -> Result<Option<Stiffness>, Trouble> {
+/// The stiffness asked for, or else the scene's, with where it comes from.
+fn stiffness(
+    what: &Force,
+    scene: &Scene,
+    problem: &Problem,
+) -> Result<Option<(Stiffness, &'static str)>, Trouble> {
     let pair = |option, text| numbers::pair(option, text, "write two numbers as 2.2:3");
-    let made = if let Some(ei) = what.ei {
-        Stiffness::new(newton_square_metres(ei))
+    let (made, from) = if let Some(ei) = what.ei {
+        (Stiffness::new(newton_square_metres(ei)), "--ei")
     } else if let Some(text) = &what.rod {
         let (young_gpa, diameter_mm) = pair("--rod", text)?;
         let profile = Profile::Rod {
             diameter: metres(diameter_mm.max(0.0)),
         };
-        Stiffness::of_section(young_gpa * 1e9, profile)
+        (Stiffness::of_section(young_gpa * 1e9, profile), "--rod")
     } else if let Some(text) = &what.weighed {
         let (load_g, pull_mm) = pair("--weighed", text)?;
         let (least, most) = problem.robot().pull_range();
@@ -270,11 +294,13 @@ fn stiffness(what: &Force, problem: &Problem) -> Result<Option<Stiffness>, Troub
             let (pull, status) = (solution.pull, solution.status);
             return Err(SweepError::NotReached { pull, status }.into());
         }
-        Stiffness::calibrated(&there, &solution, newtons(load_g))
+        let made = Stiffness::calibrated(&there, &solution, newtons(load_g));
+        (made, "--weighed")
     } else {
-        return Ok(None);
+        let held = Stiffness::of_scene(scene).map_err(wrong)?;
+        return Ok(held.map(|ei| (ei, "robot.bending_stiffness_nmm2")));
     };
-    Ok(Some(made.map_err(wrong)?))
+    Ok(Some((made.map_err(wrong)?, from)))
 }
 
 /// A contact in words: `disk 6, cable side, on lower`.
@@ -351,120 +377,4 @@ fn csv(out: &mut impl Write, found: &Found) -> io::Result<()> {
         super::output::record(&mut table, fields)?;
     }
     table.flush()
-}
-
-fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
-    let [first, last] = found.window_mm;
-    writeln!(out, "{}\n", found.title)?;
-    writeln!(out, "Virtual work (eq. 11)\n")?;
-    let whose = match found.motion {
-        "free" => "free robot",
-        _ => "robot among its obstacles",
-    };
-    writeln!(
-        out,
-        "  motion   node {} of the {whose}, pulls of {first} to {last} mm",
-        found.node
-    )?;
-    for (name, line, unit) in [
-        ("x", &found.x, "mm"),
-        ("y", &found.y, "mm"),
-        ("slope", &found.slope, "deg"),
-    ] {
-        writeln!(
-            out,
-            "  {name:<7}  {:>9} {unit}/mm, R² {:.5}, residual {:.3} {unit} RMS, {:.3} at most",
-            shown(line.per_mm, 4),
-            line.r_squared,
-            line.rms_residual,
-            line.max_residual
-        )?;
-    }
-    writeln!(out, "  mu       {:>9}", shown(found.friction, 4))?;
-    writeln!(
-        out,
-        "  force    {:>9} of the load",
-        shown(found.force_per_load, 5)
-    )?;
-    for caveat in &found.caveats {
-        writeln!(out, "  caution: {caveat}")?;
-    }
-    multipliers(out, found)?;
-    table(out, found)
-}
-
-fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
-    writeln!(out, "\nMultipliers\n")?;
-    match &found.by_multipliers {
-        Some(known) => {
-            writeln!(out, "  EI       {:.1} N mm²", known.ei_n_mm2)?;
-            match known.contact_pull_mm {
-                Some(pull) => writeln!(
-                    out,
-                    "  contact  from a pull of {pull:.3} mm, with {:.1} g on the cable; loads count from there",
-                    known.datum_g
-                )?,
-                None => writeln!(out, "  contact  none; loads count from the straight robot")?,
-            }
-        }
-        None => writeln!(
-            out,
-            "  Forces need a stiffness: --ei, --rod or --weighed. Without one:"
-        )?,
-    }
-    let pull_mm = found.pull_mm;
-    if found.contacts.is_empty() {
-        writeln!(out, "  At a pull of {pull_mm} mm nothing touches.")?;
-    }
-    for contact in &found.contacts {
-        if let Some(share) = contact.force_over_tension {
-            let name = &contact.contact;
-            writeln!(
-                out,
-                "  At a pull of {pull_mm} mm: {share:.5} of the cable's tension at {name} (node {})",
-                contact.node
-            )?;
-        }
-    }
-    Ok(())
-}
-
-fn table(out: &mut impl Write, found: &Found) -> io::Result<()> {
-    let both = found.by_multipliers.is_some();
-    write!(out, "\n  {:>8}  {:>8}  {:>8}", "load", "P_x", "P_y")?;
-    if both {
-        write!(
-            out,
-            "  {:>8}  {:>8}  {:>8}  by multipliers",
-            "pull", "tension", "force"
-        )?;
-    }
-    write!(out, "\n  {:>8}  {:>8}  {:>8}", "g", "g", "g")?;
-    if both {
-        write!(out, "  {:>8}  {:>8}  {:>8}", "mm", "g", "g")?;
-    }
-    writeln!(out)?;
-    for row in &found.loads {
-        write!(
-            out,
-            "  {:>8}  {:>8}  {:>8}",
-            row.load_g,
-            shown(row.force_x_g, 2),
-            shown(row.force_y_g, 2)
-        )?;
-        if let Some(loaded) = &row.multipliers {
-            let parts = loaded.contacts.iter();
-            let parts = parts.map(|c| format!("{} g at {}", shown(c.force_g, 2), c.contact));
-            write!(
-                out,
-                "  {:>8.3}  {:>8.1}  {:>8.2}  {}",
-                loaded.pull_mm,
-                loaded.tension_g,
-                loaded.force_g,
-                parts.collect::<Vec<_>>().join("; ")
-            )?;
-        }
-        writeln!(out)?;
-    }
-    Ok(())
 }

@@ -9,6 +9,7 @@ mod check;
 mod compare;
 mod draw;
 mod force;
+mod force_text;
 mod input;
 mod numbers;
 mod output;

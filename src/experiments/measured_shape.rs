@@ -7,7 +7,8 @@
 use crate::equilibrium::{Run, Settings, Solution, Start, Status, solve};
 use crate::geometry::Vector;
 use crate::model::Problem;
-use crate::units::millimetres;
+use crate::scene::Measurements;
+use crate::units::{metres, millimetres};
 use std::f64::consts::TAU;
 
 /// A measured point of the backbone.
@@ -196,6 +197,21 @@ impl Measured {
             return Err(MeasuredFault::Unsorted { row: last.row });
         }
         Ok(Self { points })
+    }
+
+    /// The measured backbone that a scene holds; its rows count from 1 in
+    /// `points_mm`.
+    ///
+    /// # Errors
+    /// Those of [`Measured::new`].
+    pub fn of_scene(held: &Measurements, problem: &Problem) -> Result<Self, MeasuredFault> {
+        let points = held.points_mm.iter().enumerate();
+        let points = points.map(|(index, [x, y])| MeasuredPoint {
+            row: index + 1,
+            node: held.nodes.get(index).map(|node| *node as usize),
+            position: Vector::new(metres(*x), metres(*y)),
+        });
+        Self::new(points.collect(), problem)
     }
 
     /// The points, base to tip.

@@ -4,7 +4,8 @@
 use super::told;
 use crate::equilibrium::Solution;
 use crate::model::Problem;
-use crate::units::{grams, millimetres, newton_square_millimetres};
+use crate::scene::Scene;
+use crate::units::{grams, millimetres, newton_square_metres, newton_square_millimetres};
 use std::f64::consts::PI;
 
 /// A bending stiffness EI, in N·m², positive and finite.
@@ -78,6 +79,15 @@ impl Stiffness {
         } else {
             Err(StiffnessError::NotPositive(newton_square_metres))
         }
+    }
+
+    /// The stiffness that a scene gives, if it gives one.
+    ///
+    /// # Errors
+    /// If it is not positive and finite, which [`Scene::faults`] reports too.
+    pub fn of_scene(scene: &Scene) -> Result<Option<Self>, StiffnessError> {
+        let given = scene.robot.bending_stiffness_nmm2;
+        given.map(newton_square_metres).map(Self::new).transpose()
     }
 
     /// E·I of a material's Young's modulus, in Pa, and a section.

@@ -147,6 +147,26 @@ pub enum SceneError {
         limit: usize,
     },
 
+    /// A list that is too short.
+    #[error("{field} has {count} of the at least {least} entries it needs; add some, or remove it")]
+    TooFew {
+        /// The list.
+        field: String,
+        /// Its length.
+        count: usize,
+        /// The least it may have.
+        least: usize,
+    },
+
+    /// A text with nothing in it where something has to be named.
+    #[error("{field} is empty; {advice}")]
+    Blank {
+        /// The field.
+        field: String,
+        /// What to do.
+        advice: String,
+    },
+
     /// A list of points that bounds no convex polygon.
     #[error("{field} {problem}")]
     Polygon {

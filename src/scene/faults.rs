@@ -5,11 +5,14 @@ use std::collections::BTreeMap;
 use std::fmt::Display;
 
 use super::limits::{
-    ANGLE, CABLE_OFFSET, COORDINATE, CORNER_RADIUS, DISK_RADIUS, DISK_THICKNESS, LENGTH,
-    LINE_DIAMETER, Limits, NODE, OBSTACLES, PULL, RADIUS, SEGMENTS, SEGMENTS_PER_BAY, SIDE,
-    VERTICES, shown,
+    ANGLE, BENDING_STIFFNESS, CABLE_OFFSET, COORDINATE, CORNER_RADIUS, DISK_RADIUS, DISK_THICKNESS,
+    FORCE, LEAST_MEASURED_POINTS, LENGTH, LINE_DIAMETER, LOAD, Limits, MEASURED_NODE,
+    MEASURED_POINTS, NODE, OBSTACLES, OPACITY, PHOTO_WIDTH, PULL, RADIUS, READING, READINGS,
+    SEGMENTS, SEGMENTS_PER_BAY, SIDE, VERTICES, shown,
 };
-use super::{Candidates, Contact, Robot, Scene, SceneError, Shape, VERSION, polygon};
+use super::{
+    Candidates, Contact, Measurements, Photo, Robot, Scene, SceneError, Shape, VERSION, polygon,
+};
 
 impl Scene {
     /// Every fault of the scene in the order of the file; empty when it is
@@ -28,6 +31,12 @@ impl Scene {
         for (index, obstacle) in self.obstacles.iter().enumerate() {
             let at = format_args!("obstacle[{index}]");
             shape(&mut faults, at, &obstacle.shape);
+        }
+        if let Some(found) = &self.measured {
+            measured(&mut faults, found, self.robot.segments);
+        }
+        if let Some(picture) = &self.photo {
+            photo(&mut faults, picture);
         }
         faults.0
     }
@@ -85,6 +94,10 @@ fn robot(faults: &mut Faults, robot: &Robot) {
         ("cable_diameter_mm", robot.cable_diameter_mm, LINE_DIAMETER),
     ] {
         faults.number(at, key, value, range);
+    }
+    if let Some(stiffness) = robot.bending_stiffness_nmm2 {
+        let key = "bending_stiffness_nmm2";
+        faults.number(at, key, stiffness, BENDING_STIFFNESS);
     }
     faults.pair("robot.base_mm", robot.base_mm, COORDINATE);
     faults.number(at, "base_angle_deg", robot.base_angle_deg, ANGLE);
@@ -194,6 +207,119 @@ fn points(faults: &mut Faults, field: impl Display + Copy, points: &[[f64; 2]]) 
         let field = field.to_string();
         faults.0.push(SceneError::Polygon { field, problem });
     }
+}
+
+fn measured(faults: &mut Faults, measured: &Measurements, segments: u32) {
+    backbone(faults, measured, segments);
+    calibration(faults, measured);
+    if faults.count("measured.force", measured.forces.len(), READINGS) {
+        for (index, reading) in measured.forces.iter().enumerate() {
+            let at = format_args!("measured.force[{index}]");
+            faults.number(at, "load_g", reading.load_g, LOAD);
+            faults.number(at, "force_g", reading.force_g, FORCE);
+        }
+    }
+}
+
+fn backbone(faults: &mut Faults, measured: &Measurements, segments: u32) {
+    let (points, nodes) = (&measured.points_mm, &measured.nodes);
+    let (field, least) = ("measured.points_mm", LEAST_MEASURED_POINTS);
+    if (1..least).contains(&points.len()) {
+        let (field, count) = (field.to_owned(), points.len());
+        faults.0.push(SceneError::TooFew {
+            field,
+            count,
+            least,
+        });
+    }
+    if faults.count(field, points.len(), MEASURED_POINTS) {
+        for (index, point) in points.iter().enumerate() {
+            faults.pair(format_args!("{field}[{index}]"), *point, COORDINATE);
+        }
+    }
+    let field = "measured.nodes";
+    if nodes.is_empty() || !faults.count(field, nodes.len(), MEASURED_POINTS) {
+        return;
+    }
+    if nodes.len() != points.len() {
+        let (named, there) = (nodes.len(), points.len());
+        faults.conflict(
+            field,
+            format!("has {named} entries, and measured.points_mm has {there}"),
+            "name one node for each point, or remove nodes",
+        );
+    }
+    let segments_fine = SEGMENTS.contain(segments.into());
+    for (index, node) in nodes.iter().enumerate() {
+        let (field, value) = (format_args!("{field}[{index}]"), f64::from(*node));
+        if !MEASURED_NODE.contain(value) {
+            let field = field.to_string();
+            faults
+                .0
+                .push(SceneError::outside(field, value, &MEASURED_NODE));
+        } else if segments_fine && *node > segments {
+            let allowed = format!("from 0 to robot.segments, {segments}");
+            let field = field.to_string();
+            faults
+                .0
+                .push(SceneError::not_within(field, value, allowed, ""));
+        } else if index > 0 && *node <= nodes[index - 1] {
+            let before = nodes[index - 1];
+            faults.conflict(
+                field,
+                format!("is {node}, which does not come after the {before} before it"),
+                "order points and nodes from base to tip",
+            );
+        }
+    }
+}
+
+/// The reading that fixes μ is one of the readings and can fix it.
+fn calibration(faults: &mut Faults, measured: &Measurements) {
+    let Some(index) = measured.calibration else {
+        return;
+    };
+    let (at, key, value) = ("measured", "calibration", f64::from(index));
+    if !faults.number(at, key, value, READING) {
+        return;
+    }
+    let field = "measured.calibration";
+    match measured.calibrating() {
+        Some(reading) if reading.load_g > 0.0 && reading.force_g > 0.0 => {}
+        Some(reading) if reading.load_g.is_nan() || reading.force_g.is_nan() => {}
+        Some(reading) => {
+            let (load, force) = (shown(reading.load_g), shown(reading.force_g));
+            faults.conflict(
+                field,
+                format!("is {index}, a reading of {force} g under {load} g, which fixes no ratio"),
+                "choose a reading with a positive load and force",
+            );
+        }
+        None if measured.forces.is_empty() => faults.conflict(
+            field,
+            format!("is {index}, and there are no readings"),
+            "add them, each under its own [[measured.force]], or remove calibration",
+        ),
+        None => {
+            let last = measured.forces.len() - 1;
+            let allowed = format!("from 0 to the last [[measured.force]], {last}");
+            faults.not_within(at, key, value, allowed, READING);
+        }
+    }
+}
+
+fn photo(faults: &mut Faults, photo: &Photo) {
+    let at = "photo";
+    if photo.file.trim().is_empty() {
+        faults.0.push(SceneError::Blank {
+            field: "photo.file".to_owned(),
+            advice: "name the picture's file, or remove [photo]".to_owned(),
+        });
+    }
+    faults.pair("photo.center_mm", photo.center_mm, COORDINATE);
+    faults.number(at, "width_mm", photo.width_mm, PHOTO_WIDTH);
+    faults.number(at, "rotation_deg", photo.rotation_deg, ANGLE);
+    faults.number(at, "opacity", photo.opacity, OPACITY);
 }
 
 /// The faults found so far. What tests a value says whether it was fine, and

@@ -35,10 +35,14 @@ pub(super) enum Kind {
     Word(&'static [&'static str]),
     /// Two numbers, x and y, or width and height.
     Pair(Limits),
-    /// Pairs.
-    Points(Limits),
+    /// Pairs, so many at least and at most.
+    Points(Limits, usize, usize),
+    /// Whole numbers, so many at most.
+    Wholes(Limits, usize),
     Table(&'static [Key]),
-    Tables(&'static [Key]),
+    /// Tables, so many at most, with the end of the sentence on how to write
+    /// them.
+    Tables(&'static [Key], usize, &'static str),
     /// Tables whose keys depend on their `shape`.
     Obstacles,
 }
@@ -65,6 +69,12 @@ pub(super) const SCENE: &[Key] = &[
         Kind::Table(CONTACT),
     ),
     optional("obstacle", "what stands around the robot", Kind::Obstacles),
+    optional(
+        "measured",
+        "what was measured on the robot",
+        Kind::Table(MEASURED),
+    ),
+    optional("photo", "a photograph behind the robot", Kind::Table(PHOTO)),
 ];
 
 const ROBOT: &[Key] = &[
@@ -109,6 +119,11 @@ const ROBOT: &[Key] = &[
         Kind::Number(limits::LINE_DIAMETER),
     ),
     optional(
+        "bending_stiffness_nmm2",
+        "the backbone's bending stiffness EI, which turns multipliers into forces",
+        Kind::Number(limits::BENDING_STIFFNESS),
+    ),
+    optional(
         "base_mm",
         "where the backbone starts",
         Kind::Pair(limits::COORDINATE),
@@ -135,7 +150,12 @@ const CONTACT: &[Key] = &[
     optional(
         "listed",
         "the nodes that obstacles keep out when candidates is \"listed\"",
-        Kind::Tables(LISTED),
+        // No more nodes than the robot has can be listed once each.
+        Kind::Tables(
+            LISTED,
+            2 * limits::SEGMENTS.max as usize,
+            "such as [{ line = \"cable\", node = 1 }]",
+        ),
     ),
 ];
 
@@ -149,6 +169,74 @@ const LISTED: &[Key] = &[
         "node",
         "the index of the node, the base being 0 and the tip robot.segments",
         Kind::Whole(limits::NODE),
+    ),
+];
+
+const MEASURED: &[Key] = &[
+    optional(
+        "points_mm",
+        "a measured backbone in the scene's frame, base to tip",
+        Kind::Points(
+            limits::COORDINATE,
+            limits::LEAST_MEASURED_POINTS,
+            limits::MEASURED_POINTS,
+        ),
+    ),
+    optional(
+        "nodes",
+        "the node that each of points_mm is, ascending, the base being 0",
+        Kind::Wholes(limits::MEASURED_NODE, limits::MEASURED_POINTS),
+    ),
+    optional(
+        "calibration",
+        "the index of the reading that fixes the ratio of the force's components, the first being 0",
+        Kind::Whole(limits::READING),
+    ),
+    optional(
+        "force",
+        "readings of the contact force",
+        Kind::Tables(
+            READING,
+            limits::READINGS,
+            "each under its own [[measured.force]]",
+        ),
+    ),
+];
+
+const READING: &[Key] = &[
+    required(
+        "load_g",
+        "the weight on the cable, counted from contact",
+        Kind::Number(limits::LOAD),
+    ),
+    required(
+        "force_g",
+        "the contact force that was read, as a weight",
+        Kind::Number(limits::FORCE),
+    ),
+];
+
+const PHOTO: &[Key] = &[
+    required(
+        "file",
+        "the picture's file, from the folder of the scene file",
+        Kind::Text,
+    ),
+    CENTER,
+    required(
+        "width_mm",
+        "its width in the scene before its turn",
+        Kind::Number(limits::PHOTO_WIDTH),
+    ),
+    optional(
+        "rotation_deg",
+        "its turn about its centre, counterclockwise",
+        Kind::Number(limits::ANGLE),
+    ),
+    optional(
+        "opacity",
+        "how much of it shows",
+        Kind::Number(limits::OPACITY),
     ),
 ];
 
@@ -230,7 +318,7 @@ pub(super) const SHAPES: &[ShapeKeys] = &[
             required(
                 "points_mm",
                 "its vertices in order, either way round",
-                Kind::Points(limits::COORDINATE),
+                Kind::Points(limits::COORDINATE, limits::LEAST_VERTICES, limits::VERTICES),
             ),
             TURN,
             optional(
@@ -289,11 +377,14 @@ pub(super) fn expected(kind: &Kind) -> String {
             format!("one of {}", quoted.join(", "))
         }
         Kind::Pair(range) => format!("a pair such as [1, 2], each {}", number(range)),
-        Kind::Points(_) => {
+        Kind::Points(..) => {
             "a list of points in millimetres, such as [[0, 0], [1, 0], [0, 1]]".to_owned()
         }
+        Kind::Wholes(range, _) => {
+            format!("a list of whole numbers such as [0, 2, 4], each {range}")
+        }
         Kind::Table(_) => "a table".to_owned(),
-        Kind::Tables(_) => "a list of tables, such as [{ line = \"cable\", node = 1 }]".to_owned(),
+        Kind::Tables(_, _, written) => format!("a list of tables, {written}"),
         Kind::Obstacles => "a list of tables, each under its own [[obstacle]]".to_owned(),
     }
 }
@@ -303,6 +394,8 @@ pub(super) fn number(range: &Limits) -> String {
     match range.unit {
         Unit::Millimetre => format!("a number of millimetres, {range}"),
         Unit::Degree => format!("a number of degrees, {range}"),
+        Unit::Gram => format!("a number of grams, {range}"),
+        Unit::NewtonSquareMillimetre => format!("a number of N mm², {range}"),
         Unit::One => format!("a number, {range}"),
     }
 }

@@ -24,7 +24,11 @@ pub enum Unit {
     Millimetre,
     /// Degrees.
     Degree,
-    /// Plain counts.
+    /// Grams, as weights.
+    Gram,
+    /// N mm², of bending stiffnesses.
+    NewtonSquareMillimetre,
+    /// Plain counts and shares.
     One,
 }
 
@@ -42,6 +46,13 @@ pub const DISK_RADIUS: Limits = mm(0.01, 1e4);
 pub const DISK_THICKNESS: Limits = mm(0.0, 1e4);
 /// Diameter of the backbone or of the cable.
 pub const LINE_DIAMETER: Limits = mm(0.0, 1e4);
+/// Bending stiffness of the backbone: from far below a hair's to that of solid
+/// steel as thick as an arm.
+pub const BENDING_STIFFNESS: Limits = Limits {
+    min: 1e-6,
+    max: 1e12,
+    unit: Unit::NewtonSquareMillimetre,
+};
 /// Length of cable drawn in.
 pub const PULL: Limits = mm(-1e5, 1e5);
 /// Index of a listed node, which is also at most the number of segments.
@@ -62,10 +73,30 @@ pub const SIDE: Limits = mm(0.001, 1e6);
 pub const CORNER_RADIUS: Limits = mm(0.0, 1e6);
 /// Least distance between two vertices of a polygon, mm.
 pub const VERTEX_SPACING_MM: f64 = 0.001;
+/// Fewest vertices of a polygon.
+pub const LEAST_VERTICES: usize = 3;
 /// Most vertices of a polygon.
 pub const VERTICES: usize = 64;
 /// Most obstacles in a scene.
 pub const OBSTACLES: usize = 1000;
+/// Fewest points of a measured backbone.
+pub const LEAST_MEASURED_POINTS: usize = 2;
+/// Most points of a measured backbone.
+pub const MEASURED_POINTS: usize = 10_000;
+/// Node of a measured point, which is also at most the number of segments.
+pub const MEASURED_NODE: Limits = count(0.0, 1e5);
+/// Weight on the cable when a force was read.
+pub const LOAD: Limits = grams(0.0, 1e6);
+/// Contact force that was read.
+pub const FORCE: Limits = grams(-1e6, 1e6);
+/// Most readings of forces.
+pub const READINGS: usize = 1000;
+/// Index of the reading that fixes μ, which is also below their number.
+pub const READING: Limits = count(0.0, (READINGS - 1) as f64);
+/// Width of a photograph.
+pub const PHOTO_WIDTH: Limits = mm(0.001, 1e6);
+/// How much of a photograph shows.
+pub const OPACITY: Limits = count(0.0, 1.0);
 
 const fn mm(min: f64, max: f64) -> Limits {
     Limits {
@@ -80,6 +111,14 @@ const fn count(min: f64, max: f64) -> Limits {
         min,
         max,
         unit: Unit::One,
+    }
+}
+
+const fn grams(min: f64, max: f64) -> Limits {
+    Limits {
+        min,
+        max,
+        unit: Unit::Gram,
     }
 }
 
@@ -103,6 +142,8 @@ impl Unit {
         match self {
             Unit::Millimetre => "mm",
             Unit::Degree => "deg",
+            Unit::Gram => "g",
+            Unit::NewtonSquareMillimetre => "N mm²",
             Unit::One => "",
         }
     }

@@ -32,6 +32,7 @@ mod faults;
 mod file;
 mod keys;
 pub mod limits;
+mod measured;
 mod obstacle;
 mod polygon;
 mod robot;
@@ -44,6 +45,7 @@ use serde::{Deserialize, Serialize};
 pub use contact::{Candidates, Contact, Line, Listed};
 pub use error::SceneError;
 pub use file::MAX_FILE_BYTES;
+pub use measured::{ForceReading, Measurements, Photo};
 pub use obstacle::{Obstacle, Shape};
 pub use polygon::PolygonFault;
 pub use robot::{Actuation, Robot};
@@ -51,7 +53,7 @@ pub use robot::{Actuation, Robot};
 /// The only version of the file format there is.
 pub const VERSION: u32 = 1;
 
-/// A robot, what pulls it and what stands around it.
+/// A robot, what pulls it, what stands around it and what was measured on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
     /// The version of the file format; only [`VERSION`] is accepted.
@@ -69,6 +71,12 @@ pub struct Scene {
     /// What stands around the robot; at most [`limits::OBSTACLES`].
     #[serde(default, rename = "obstacle", skip_serializing_if = "Vec::is_empty")]
     pub obstacles: Vec<Obstacle>,
+    /// What was measured on the robot.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured: Option<Measurements>,
+    /// A photograph behind the robot.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub photo: Option<Photo>,
 }
 
 /// The paper's robot, straight and with nothing around it.
@@ -81,6 +89,8 @@ impl Default for Scene {
             actuation: Actuation { pull_mm: 0.0 },
             contact: Contact::default(),
             obstacles: Vec::new(),
+            measured: None,
+            photo: None,
         }
     }
 }

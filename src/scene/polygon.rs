@@ -1,6 +1,6 @@
 //! Whether a list of points bounds a convex polygon. Makes no shape of it.
 
-use super::limits::VERTEX_SPACING_MM;
+use super::limits::{LEAST_VERTICES, VERTEX_SPACING_MM};
 
 /// Why a list of points bounds no convex polygon; vertices count from 0.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -53,7 +53,7 @@ const STRAIGHT: f64 = 1e-9;
 /// accepted. Takes time quadratic in the number of points.
 pub(super) fn fault(points: &[[f64; 2]]) -> Option<PolygonFault> {
     let count = points.len();
-    if count < 3 {
+    if count < LEAST_VERTICES {
         return Some(PolygonFault::TooFewVertices { count });
     }
     for second in 1..count {

@@ -31,6 +31,10 @@ pub struct Robot {
     /// Diameter of the cable, mm.
     #[serde(default)]
     pub cable_diameter_mm: f64,
+    /// The backbone's bending stiffness EI, N mm², which turns multipliers into
+    /// forces; absent where it is not known. The shape does not depend on it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bending_stiffness_nmm2: Option<f64>,
     /// Where the backbone starts, [x, y], mm.
     #[serde(default)]
     pub base_mm: [f64; 2],
@@ -59,6 +63,7 @@ impl Default for Robot {
             disk_thickness_mm: 0.0,
             backbone_diameter_mm: 0.0,
             cable_diameter_mm: 0.0,
+            bending_stiffness_nmm2: None,
             base_mm: [0.0, 0.0],
             base_angle_deg: 0.0,
         }

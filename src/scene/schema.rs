@@ -34,8 +34,10 @@ pub fn value() -> Value {
 /// What stands for a key that is left out, in the shape of the file.
 fn defaults() -> Value {
     let mut defaults = json!(Scene::default());
-    // What every shape of obstacle falls back to; see `Shape`'s attributes.
+    // What every shape of obstacle and a photograph fall back to; see the
+    // attributes of `Shape` and `Photo`.
     defaults["obstacle"] = json!({ "rotation_deg": 0.0, "corner_radius_mm": 0.0 });
+    defaults["photo"] = json!({ "rotation_deg": 0.0, "opacity": 1.0 });
     defaults
 }
 
@@ -74,14 +76,19 @@ fn of_kind(kind: &Kind, defaults: &Value) -> Value {
         Kind::Pair(range) => {
             json!({ "type": "array", "items": ranged("number", range), "minItems": 2, "maxItems": 2 })
         }
-        Kind::Points(range) => json!({
+        Kind::Points(range, least, most) => json!({
             "type": "array",
             "items": of_kind(&Kind::Pair(*range), &Value::Null),
-            "minItems": 3,
-            "maxItems": limits::VERTICES,
+            "minItems": least,
+            "maxItems": most,
         }),
+        Kind::Wholes(range, most) => {
+            json!({ "type": "array", "items": ranged("integer", range), "maxItems": most })
+        }
         Kind::Table(keys) => object(keys, defaults),
-        Kind::Tables(keys) => json!({ "type": "array", "items": object(keys, &Value::Null) }),
+        Kind::Tables(keys, most, _) => {
+            json!({ "type": "array", "items": object(keys, &Value::Null), "maxItems": most })
+        }
         Kind::Obstacles => json!({
             "type": "array",
             "maxItems": limits::OBSTACLES,
@@ -112,12 +119,14 @@ fn ranged(kind: &str, range: &Limits) -> Value {
 
 fn sentence(about: &str, kind: &Kind) -> String {
     let unit = match kind {
-        Kind::Number(range) | Kind::Pair(range) | Kind::Points(range) => range.unit,
+        Kind::Number(range) | Kind::Pair(range) | Kind::Points(range, ..) => range.unit,
         _ => Unit::One,
     };
     let unit = match unit {
         Unit::Millimetre => ", in millimetres",
         Unit::Degree => ", in degrees",
+        Unit::Gram => ", in grams",
+        Unit::NewtonSquareMillimetre => ", in N mm²",
         Unit::One => "",
     };
     format!("{}{unit}.", capitalised(about))
@@ -235,6 +244,12 @@ mod tests {
             ("radius_mm = 15.0", "radius_mm = 0"),
             ("[75.0, 150.0], ", ""),
             ("pull_mm = 5.0", ""),
+            ("8700.0", "0"),
+            ("[0, 9, 17]", "[0, 9.5, 17]"),
+            ("[[1.0, 2.0], [6.5, 92.0], [30.0, 175.0]]", "[[1.0, 2.0]]"),
+            ("load_g = 50.0", "load_g = -50.0"),
+            ("opacity = 0.75", "opacity = 1.25"),
+            ("file = \"photo.jpg\"", ""),
         ] {
             assert!(FULL.contains(old), "{old}");
             check(&FULL.replacen(old, new, 1), false);
@@ -300,6 +315,12 @@ mod tests {
         let robot = &value()["properties"]["robot"]["properties"];
         assert_eq!(robot["segments_per_bay"]["default"], json!(2));
         assert_eq!(robot["length_mm"].get("default"), None);
+        let photo = "[photo]\nfile = \"a.png\"\ncenter_mm = [0, 0]\nwidth_mm = 1";
+        let scene = json!(Scene::from_toml(&format!("{least}\n{photo}")).unwrap());
+        let properties = &value()["properties"]["photo"]["properties"];
+        for key in ["rotation_deg", "opacity"] {
+            assert_eq!(scene["photo"][key], properties[key]["default"]);
+        }
         let wall = "[[obstacle]]\nshape = \"wall\"\npoint_mm = [50, 0]";
         let scene = json!(Scene::from_toml(&format!("{least}\n{wall}")).unwrap());
         assert_eq!(

@@ -69,6 +69,9 @@ fn value(found: &Value, kind: &Kind, path: &str) -> Result<(), SceneError> {
                 unit: range.unit.symbol(),
             }),
         },
+        (Kind::Wholes(range, _), Value::Array(numbers)) => each(numbers, path, |number, path| {
+            value(number, &Kind::Whole(*range), path)
+        }),
         (Kind::Word(words), Value::String(word)) if !words.contains(&word.as_str()) => {
             Err(SceneError::UnknownWord {
                 path: path.to_owned(),
@@ -83,14 +86,16 @@ fn value(found: &Value, kind: &Kind, path: &str) -> Result<(), SceneError> {
                 number_of_pair(item, range, path)
             })
         }
-        (Kind::Points(range), Value::Array(points)) => each(points, path, |point, path| {
+        (Kind::Points(range, ..), Value::Array(points)) => each(points, path, |point, path| {
             value(point, &Kind::Pair(*range), path)
         }),
         (Kind::Table(keys), Value::Table(table)) => keys_of(table, keys, path),
-        (Kind::Tables(keys), Value::Array(tables)) => each(tables, path, |item, path| match item {
-            Value::Table(table) => keys_of(table, keys, path),
-            other => Err(wrong_type(path, other, "a table, { … }".to_owned())),
-        }),
+        (Kind::Tables(keys, ..), Value::Array(tables)) => {
+            each(tables, path, |item, path| match item {
+                Value::Table(table) => keys_of(table, keys, path),
+                other => Err(wrong_type(path, other, "a table, { … }".to_owned())),
+            })
+        }
         (Kind::Obstacles, Value::Array(obstacles)) => {
             each(obstacles, path, |item, path| match item {
                 Value::Table(table) => obstacle(table, path),

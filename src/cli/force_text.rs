@@ -1,0 +1,132 @@
+//! What `sinew force` found, as a report for people.
+
+use std::io::{self, Write};
+
+use super::force::Found;
+use crate::experiments::shown;
+
+/// The report: the lines of virtual work, the multipliers, the table of loads.
+pub(super) fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
+    let [first, last] = found.window_mm;
+    writeln!(out, "{}\n", found.title)?;
+    writeln!(out, "Virtual work (eq. 11)\n")?;
+    let whose = match found.motion {
+        "free" => "free robot",
+        _ => "robot among its obstacles",
+    };
+    writeln!(
+        out,
+        "  motion   node {} of the {whose}, pulls of {first} to {last} mm",
+        found.node
+    )?;
+    for (name, line, unit) in [
+        ("x", &found.x, "mm"),
+        ("y", &found.y, "mm"),
+        ("slope", &found.slope, "deg"),
+    ] {
+        writeln!(
+            out,
+            "  {name:<7}  {:>9} {unit}/mm, R² {:.5}, residual {:.3} {unit} RMS, {:.3} at most",
+            shown(line.per_mm, 4),
+            line.r_squared,
+            line.rms_residual,
+            line.max_residual
+        )?;
+    }
+    writeln!(
+        out,
+        "  mu       {:>9} ({})",
+        shown(found.friction, 4),
+        found.friction_from
+    )?;
+    writeln!(
+        out,
+        "  force    {:>9} of the load",
+        shown(found.force_per_load, 5)
+    )?;
+    for caveat in &found.caveats {
+        writeln!(out, "  caution: {caveat}")?;
+    }
+    multipliers(out, found)?;
+    table(out, found)
+}
+
+fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
+    writeln!(out, "\nMultipliers\n")?;
+    match &found.by_multipliers {
+        Some(known) => {
+            writeln!(
+                out,
+                "  EI       {:.1} N mm² ({})",
+                known.ei_n_mm2, known.ei_from
+            )?;
+            match known.contact_pull_mm {
+                Some(pull) => writeln!(
+                    out,
+                    "  contact  from a pull of {pull:.3} mm, with {:.1} g on the cable; loads count from there",
+                    known.datum_g
+                )?,
+                None => writeln!(out, "  contact  none; loads count from the straight robot")?,
+            }
+        }
+        None => writeln!(
+            out,
+            "  Forces need a stiffness: --ei, --rod, --weighed or the scene's. Without one:"
+        )?,
+    }
+    let pull_mm = found.pull_mm;
+    if found.contacts.is_empty() {
+        writeln!(out, "  At a pull of {pull_mm} mm nothing touches.")?;
+    }
+    for contact in &found.contacts {
+        if let Some(share) = contact.force_over_tension {
+            let name = &contact.contact;
+            writeln!(
+                out,
+                "  At a pull of {pull_mm} mm: {share:.5} of the cable's tension at {name} (node {})",
+                contact.node
+            )?;
+        }
+    }
+    Ok(())
+}
+
+fn table(out: &mut impl Write, found: &Found) -> io::Result<()> {
+    let both = found.by_multipliers.is_some();
+    write!(out, "\n  {:>8}  {:>8}  {:>8}", "load", "P_x", "P_y")?;
+    if both {
+        write!(
+            out,
+            "  {:>8}  {:>8}  {:>8}  by multipliers",
+            "pull", "tension", "force"
+        )?;
+    }
+    write!(out, "\n  {:>8}  {:>8}  {:>8}", "g", "g", "g")?;
+    if both {
+        write!(out, "  {:>8}  {:>8}  {:>8}", "mm", "g", "g")?;
+    }
+    writeln!(out)?;
+    for row in &found.loads {
+        write!(
+            out,
+            "  {:>8}  {:>8}  {:>8}",
+            row.load_g,
+            shown(row.force_x_g, 2),
+            shown(row.force_y_g, 2)
+        )?;
+        if let Some(loaded) = &row.multipliers {
+            let parts = loaded.contacts.iter();
+            let parts = parts.map(|c| format!("{} g at {}", shown(c.force_g, 2), c.contact));
+            write!(
+                out,
+                "  {:>8.3}  {:>8.1}  {:>8.2}  {}",
+                loaded.pull_mm,
+                loaded.tension_g,
+                loaded.force_g,
+                parts.collect::<Vec<_>>().join("; ")
+            )?;
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
