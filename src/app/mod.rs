@@ -10,10 +10,17 @@
 mod canvas;
 mod commands;
 mod document;
+mod files;
 mod history;
+pub mod link;
 mod live;
 pub mod look;
+mod measured;
+mod notices;
 mod panels;
+mod photo;
+pub mod platform;
+mod sheets;
 pub mod solving;
 mod state;
 mod transport;

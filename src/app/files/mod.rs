@@ -32,10 +32,6 @@ const MOST_RECENT: usize = 10;
 pub enum Intent {
     /// The paper's robot with nothing around it.
     New,
-    /// A file that the user is to choose.
-    Pick,
-    /// This file.
-    File(PathBuf),
     /// A scene that is kept nowhere: an example, a link, a file's contents.
     Scene(Box<Arrival>),
     /// Nothing: the window closes.
@@ -118,8 +114,6 @@ pub fn request(state: &mut State, intent: Intent, ctx: &Context) {
 pub fn carry_out(state: &mut State, intent: Intent, ctx: &Context) {
     match intent {
         Intent::New => open::arrive(state, Arrival::of(Scene::default())),
-        Intent::Pick => pick(state, Errand::Scene),
-        Intent::File(path) => state.files.platform.read(Errand::Scene, path),
         Intent::Scene(arrival) => open::arrive(state, *arrival),
         Intent::Close => {
             state.files.closing = true;
@@ -129,7 +123,8 @@ pub fn carry_out(state: &mut State, intent: Intent, ctx: &Context) {
     ctx.request_repaint();
 }
 
-/// Asks for a file.
+/// Asks for a file. What it would replace is guarded once it is read: whoever
+/// changes their mind, or chooses a broken file, is not asked in vain.
 pub fn pick(state: &mut State, errand: Errand) {
     // A second dialog would hide behind the first.
     if state.files.asking {

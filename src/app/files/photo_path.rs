@@ -1,7 +1,7 @@
 //! The photograph's path. In the window it is absolute, so that it stays right
 //! wherever the scene is saved to; in a scene's file it is told from the
 //! file's folder where the picture lies in or below that, so that both can be
-//! moved together; in a link it is a bare name.
+//! moved together.
 
 use crate::scene::Scene;
 use std::path::{Component, Path, PathBuf};
@@ -26,17 +26,6 @@ pub fn as_kept_in(scene: &Scene, folder: Option<&Path>) -> Scene {
     {
         let parts = below.components().map(|part| part.as_os_str().to_string_lossy());
         photo.file = parts.collect::<Vec<_>>().join("/");
-    }
-    scene
-}
-
-/// The scene as a link has it.
-pub fn as_sent(scene: &Scene) -> Scene {
-    let mut scene = scene.clone();
-    if let Some(photo) = &mut scene.photo
-        && let Some(name) = Path::new(&photo.file).file_name()
-    {
-        photo.file = name.to_string_lossy().into_owned();
     }
     scene
 }
@@ -91,7 +80,6 @@ mod tests {
         check("/home/x/pictures", "a.png");
         let back = as_opened_from(as_kept_in(&opened, Some(Path::new("/home/x"))), Some(Path::new("/home/x")));
         assert_eq!(back, opened);
-        assert_eq!(file(&as_sent(&opened)), "a.png");
     }
 
     #[test]
