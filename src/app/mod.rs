@@ -10,7 +10,8 @@
 mod canvas;
 mod commands;
 mod document;
-mod files;
+pub mod examples;
+pub mod files;
 mod history;
 pub mod link;
 mod live;

@@ -33,25 +33,32 @@ const WORDS: f32 = 84.0;
 /// The pictures, as far as they are there.
 #[derive(Default)]
 pub(super) struct Gallery {
-    /// By example; `None` is yet to come.
-    pictures: Vec<Option<Drawing>>,
+    /// By example, as far as they have been made.
+    pictures: Vec<Picture>,
     /// The one being solved.
     run: Option<Run>,
+}
+
+/// An example's picture.
+#[derive(Debug, PartialEq)]
+enum Picture {
+    There(Box<Drawing>),
+    /// The example cannot be solved.
+    Missing,
 }
 
 impl Gallery {
     /// Works on the pictures for a moment; whether any is left to make.
     fn work(&mut self) -> bool {
-        self.pictures.resize_with(EXAMPLES.len(), || None);
         let begin = Instant::now();
-        while let Some(index) = self.pictures.iter().position(Option::is_none) {
-            let Some(scene) = EXAMPLES[index].scene().ok() else {
-                self.pictures[index] = Some(Drawing::default());
+        while let Some(example) = EXAMPLES.get(self.pictures.len()) {
+            let Ok(scene) = example.scene() else {
+                self.pictures.push(Picture::Missing);
                 continue;
             };
             if self.run.is_none() {
                 let Ok(problem) = Problem::new(&scene) else {
-                    self.pictures[index] = Some(Drawing::default());
+                    self.pictures.push(Picture::Missing);
                     continue;
                 };
                 self.run = Some(Run::new(&problem, Start::Straight, Settings::default()));
@@ -61,7 +68,7 @@ impl Gallery {
             };
             if run.advance(SLICE) == Progress::Done {
                 let picture = draw(run.problem(), run.solution(), &Notes::of(&scene));
-                self.pictures[index] = Some(picture);
+                self.pictures.push(Picture::There(Box::new(picture)));
                 self.run = None;
             }
             if begin.elapsed() > PATIENCE {
@@ -105,7 +112,7 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
                 ui.horizontal(|ui| {
                     ui.spacing_mut().item_spacing.x = GAP;
                     for (index, example) in row {
-                        let picture = pictures.get(*index).and_then(Option::as_ref);
+                        let picture = pictures.get(*index);
                         let card = card(ui, example, picture, size);
                         if fresh && *index == 0 {
                             card.request_focus();
@@ -133,7 +140,7 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
 fn card(
     ui: &mut Ui,
     example: &Example,
-    picture: Option<&Drawing>,
+    picture: Option<&Picture>,
     size: Vec2,
 ) -> eframe::egui::Response {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
@@ -157,7 +164,7 @@ fn card(
     let window = Rect::from_min_max(rect.min, pos2(rect.right(), split));
     let upper = CornerRadius { sw: 0, se: 0, ..radius };
     ui.painter().rect_filled(window, upper, tokens.canvas);
-    if let Some(drawing) = picture.filter(|drawing| !drawing.bounds.is_empty()) {
+    if let Some(Picture::There(drawing)) = picture {
         let painter = ui.painter_at(window);
         let inner = bounds(window.shrink(10.0));
         let frame = Frame { window: bounds(window), ..Frame::fitting(&drawing.bounds, inner) };
