@@ -44,18 +44,23 @@
 //!   kinematics by virtual work; the balance of the whole robot.
 //! - [`experiments`]: the paper's figures and table as data, and measured
 //!   shapes against computed ones.
+//! - [`explore`]: the robot along its whole pull: its path, its jumps, the
+//!   forces under every load.
+//! - [`solving`]: live requests, the newest first, in slices.
 //! - [`view`]: a solution as plain draw data: marks in the world and what they
 //!   mean, the same for every picture.
 //! - [`report`]: drawings, charts and pages as the contents of files.
-//! - `cli`: the command line. Only with the feature `cli`, which is on by
-//!   default.
+//! - `render`: the clearance field and the robot in space, on the graphics
+//!   processor. With the feature `app`.
+//! - `app`: the window. With the feature `app`.
+//! - `cli`: the command line. With the feature `cli`; both are on by default.
 //!
 //! # Invariants
 //!
 //! Mostly absences; `tests/layers.rs` holds the first four.
 //!
 //! - Imports lead downward only.
-//! - Below the command line there is no IO, no clock, no thread and no hash
+//! - Below the window and the command line there is no IO, no clock, no thread and no hash
 //!   order: the same scene gives the same answer, bit for bit, on every run.
 //! - Only [`geometry`] knows parry; the rest sees outlines and clearances.
 //! - [`solver`] knows no lengths, angles or obstacles.
@@ -121,6 +126,7 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod solver;
+pub mod solving;
 pub mod units;
 pub mod view;
 

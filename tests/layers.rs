@@ -18,6 +18,7 @@ const LAYERS: &[(&str, u32)] = &[
     ("forces", 6),
     ("experiments", 7),
     ("explore", 7),
+    ("solving", 8),
     ("view", 8),
     ("report", 9),
     ("render", 9),
@@ -32,6 +33,7 @@ const TOP: &[&str] = &["app", "cli"];
 /// to run.
 const TOP_ONLY: &[&str] = &[
     "std::time",
+    "web_time",
     "std::thread",
     "std::fs",
     "std::env",

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Theme, vec2};
 use egui_kittest::Harness;
-use sinew::app::solving::Inline;
+use sinew::app::backend::Inline;
 use sinew::app::{Preferences, Sinew};
 
 /// A window on the first example, solved inline so that nothing races.

@@ -1,11 +1,14 @@
 //! The live solution: what was asked of the solver, what it has answered, and
 //! the drawing of it.
 
-use super::solving::{Request, Shape, SolverBackend, StartFrom, Update};
+use super::backend::SolverBackend;
 use crate::equilibrium::{Solution, Status};
+use crate::explore::Path;
 use crate::model::Problem;
+use crate::solving::{Request, Shape, StartFrom, Update};
 use crate::view::{Drawing, Notes, draw};
 use std::sync::Arc;
+use web_time::Duration;
 
 /// The solver and the last of its answers.
 pub struct Live {
@@ -13,7 +16,14 @@ pub struct Live {
     /// Requests made.
     generation: u64,
     asked: Problem,
-    shape: Option<Arc<Shape>>,
+    shape: Option<Shape>,
+    /// How long the last answer took.
+    time: Duration,
+    path: Option<Arc<Path>>,
+    /// Whether the path is that of the problem asked for.
+    path_is_current: bool,
+    /// The first request with the robot and the obstacles last asked for.
+    course: u64,
     drawing: Drawing,
     /// Counts the changes of the drawing.
     revision: u64,
@@ -21,43 +31,64 @@ pub struct Live {
 
 impl Live {
     /// Asks for the shape of a problem, from the straight robot.
-    pub fn new(backend: Box<dyn SolverBackend>, problem: &Problem, notes: &Notes) -> Self {
+    pub fn new(
+        backend: Box<dyn SolverBackend>,
+        problem: &Problem,
+        span: (f64, f64),
+        notes: &Notes,
+    ) -> Self {
         let mut live = Self {
             backend,
             generation: 0,
             asked: problem.clone(),
             shape: None,
+            time: Duration::ZERO,
+            path: None,
+            path_is_current: false,
+            course: 0,
             drawing: draw(problem, &Solution::default(), notes),
             revision: 0,
         };
-        live.ask(problem, StartFrom::Straight);
+        live.ask(problem, StartFrom::Straight, span);
         live
     }
 
     /// Asks for a shape, in the place of whatever is being solved.
-    pub fn ask(&mut self, problem: &Problem, from: StartFrom) {
+    /// `span` is that of [`Request::span`].
+    pub fn ask(&mut self, problem: &Problem, from: StartFrom, span: (f64, f64)) {
+        if !self.asked.differs_in_pull_only(problem) {
+            self.path_is_current = false;
+            self.course = self.generation + 1;
+        }
         self.generation += 1;
         self.asked.clone_from(problem);
         self.backend.submit(Request {
             generation: self.generation,
             problem: problem.clone(),
             from,
+            span,
         });
     }
 
     /// Takes what the solver has found. Whether there was anything.
     pub fn poll(&mut self) -> bool {
         let mut news = false;
-        while let Some(update) = self.backend.poll() {
-            match update {
+        while let Some(found) = self.backend.poll() {
+            match found.update {
                 Update::Shape(shape) => {
                     // An answer to an older request shows less than what is
                     // known already.
                     let newest = self.shape.as_ref().map_or(0, |known| known.generation);
                     if shape.generation > newest {
                         self.shape = Some(shape);
+                        self.time = found.time;
                         news = true;
                     }
+                }
+                Update::Path { generation, path } => {
+                    self.path = Some(Arc::new(path));
+                    self.path_is_current = generation >= self.course;
+                    news = true;
                 }
             }
         }
@@ -78,8 +109,34 @@ impl Live {
     }
 
     /// The last answer.
-    pub fn shape(&self) -> Option<&Arc<Shape>> {
+    pub fn shape(&self) -> Option<&Shape> {
         self.shape.as_ref()
+    }
+
+    /// What the robot does along its pull, as far as it is known: perhaps of
+    /// a scene a moment ago, see [`Live::path_is_current`].
+    pub fn path(&self) -> Option<&Arc<Path>> {
+        self.path.as_ref()
+    }
+
+    /// Whether the path is that of the problem last asked for.
+    pub fn path_is_current(&self) -> bool {
+        self.path_is_current
+    }
+
+    /// Whether the shape shown is on another branch than the one that the
+    /// straight robot comes to.
+    pub fn is_on_another_branch(&self) -> bool {
+        let path = self.path.as_ref().filter(|_| self.path_is_current);
+        match (path, self.solution()) {
+            (Some(path), Some(solution)) if self.is_settled() => path.differs_from(solution),
+            _ => false,
+        }
+    }
+
+    /// How long the last answer took.
+    pub fn time(&self) -> Duration {
+        self.time
     }
 
     /// The last answer's solution.
@@ -96,9 +153,9 @@ impl Live {
         })
     }
 
-    /// Whether the solver is at work.
-    pub fn is_busy(&self) -> bool {
-        self.backend.is_busy()
+    /// Whether the solver needs frames to go on.
+    pub fn wants_frames(&self) -> bool {
+        self.backend.wants_frames()
     }
 
     /// The picture of all this.

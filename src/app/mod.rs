@@ -7,6 +7,7 @@
 //! it unsolvable is taken back with its reason, any other is asked of the
 //! solver and becomes a step of undo when its gesture ends.
 
+pub mod backend;
 mod canvas;
 mod commands;
 mod document;
@@ -22,19 +23,19 @@ mod panels;
 mod photo;
 pub mod platform;
 mod sheets;
-pub mod solving;
 mod state;
 mod transport;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
+mod words;
 
 pub use commands::Command;
 pub use document::Document;
 pub use state::{Hovered, Preferences, Selection, State, Views};
 
 use crate::scene::Scene;
+use backend::SolverBackend;
 use eframe::egui::{self, Context, Ui};
-use solving::SolverBackend;
 
 /// The scene that the window opens on.
 const FIRST: &str = include_str!("../../assets/scenes/two-discs.toml");
@@ -82,8 +83,7 @@ impl eframe::App for Sinew {
         let state = &mut self.state;
         ctx.set_theme(state.preferences.theme);
         state.poll();
-        if state.live.is_busy() {
-            // A backend with a thread asks for frames itself.
+        if state.live.wants_frames() {
             ctx.request_repaint();
         }
         let span = state.span_mm();

@@ -1,5 +1,6 @@
 //! What every part of the window reads and changes.
 
+use super::backend::SolverBackend;
 use super::canvas::Canvas;
 use super::commands::Command;
 use super::document::{Document, Settled};
@@ -11,9 +12,10 @@ use super::notices::Notices;
 use super::photo::Photos;
 use super::platform::Detached;
 use super::sheets::Sheets;
-use super::solving::{SolverBackend, StartFrom};
 use super::transport::{Transport, span_mm};
 use crate::scene::{Scene, SceneError};
+use crate::solving::StartFrom;
+use crate::units::metres;
 use crate::view::Notes;
 use eframe::egui::Context;
 use serde::{Deserialize, Serialize};
@@ -203,7 +205,7 @@ impl State {
         let notes = Notes::of(&document.scene);
         Self {
             history: History::new(&document.scene),
-            live: Live::new(backend, document.problem(), &notes),
+            live: Live::new(backend, document.problem(), span(&document), &notes),
             document,
             selection: Selection::Nothing,
             hovered: Hovered::Nothing,
@@ -237,7 +239,12 @@ impl State {
 
     /// Follows the present scene anew from the straight robot.
     pub fn restart(&mut self) {
-        self.live.ask(self.document.problem(), StartFrom::Straight);
+        self.ask(StartFrom::Straight);
+    }
+
+    fn ask(&mut self, from: StartFrom) {
+        let span = span(&self.document);
+        self.live.ask(self.document.problem(), from, span);
     }
 
     /// Takes what the solver has found.
@@ -260,7 +267,7 @@ impl State {
                 {
                     self.selection = Selection::Nothing;
                 }
-                self.live.ask(self.document.problem(), StartFrom::Shown);
+                self.ask(StartFrom::Last);
                 self.redraw();
                 ctx.request_repaint();
             }
@@ -301,4 +308,12 @@ impl State {
         }
         self.live.redraw(&notes);
     }
+}
+
+/// The pulls that the path of a document covers, in metres.
+fn span(document: &Document) -> (f64, f64) {
+    let allowed = document.problem().robot().pull_range();
+    let scene = &document.scene;
+    let (least, most) = span_mm(&scene.robot, allowed, scene.actuation.pull_mm);
+    (metres(least), metres(most))
 }

@@ -1,7 +1,7 @@
 //! The window on the desktop: opened from the command line's arguments, with
 //! a solver thread behind it.
 
-use super::solving::{Inline, SolverBackend, Thread};
+use super::backend::{Inline, SolverBackend, Thread};
 use super::{Preferences, Sinew};
 use crate::scene::Scene;
 use eframe::egui::{Context, ViewportBuilder, vec2};

@@ -24,6 +24,7 @@ use crate::geometry::{Vector, cross, perpendicular};
 use crate::math::greatest;
 use crate::model::{Element, Problem};
 use nalgebra::{SMatrix, SVector};
+use serde::{Deserialize, Serialize};
 
 /// Coordinates of a node: the backbone point's and the cable point's.
 type Pair = SVector<f64, 4>;
@@ -38,7 +39,7 @@ const LEAST_BEND: f64 = 1e-5;
 const STIFFNESSES: [f64; 4] = [1.0, 1e2, 1e5, 1e8];
 
 /// How well a shape satisfies the optimality conditions of eq. 5.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
     /// Greatest unbalanced force on a node along its free direction, relative
     /// to the greatest force of a contact or of the free bend.

@@ -3,9 +3,10 @@
 use super::status::EndReason;
 use crate::geometry::Vector;
 use crate::model::Line;
+use serde::{Deserialize, Serialize};
 
 /// Something that happened on the way.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Event {
     /// The pull at which it happened, in metres. A contact is interpolated
     /// within its step, to about a hundredth of a millimetre for the paper's
@@ -18,7 +19,7 @@ pub struct Event {
 }
 
 /// What may happen on the way.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Occurrence {
     /// An obstacle over the robot was grown from nothing and pushed it aside.
     PushedAside {

@@ -7,6 +7,7 @@ use crate::geometry::Vector;
 use crate::math::PackedCholesky;
 use crate::model::{Line, PlanarNode, Problem, RowKind};
 use crate::solver::{Control, Iteration, Point, RowId};
+use serde::{Deserialize, Serialize};
 
 /// Clearances within this share of the backbone's length of zero count as
 /// touching: well above the solver's 1e-12, well below anything visible.
@@ -16,7 +17,7 @@ const TOUCHING: f64 = 1e-9;
 const PRESSING: f64 = 1e-9;
 
 /// Whether a contact carries a force.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Class {
     /// The multiplier is positive.
     Pressing,
@@ -35,7 +36,7 @@ impl Class {
 }
 
 /// A part of the robot that touches an obstacle.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Contact {
     /// Index of the candidate in the problem.
     pub candidate: usize,
@@ -77,7 +78,7 @@ pub struct Clearance {
 }
 
 /// A shape of the robot and what is known about it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Solution {
     /// How the run ended. The shape is an equilibrium whatever it says,
     /// provided that the certificate holds.
@@ -109,6 +110,7 @@ pub struct Solution {
     /// The iterations of the last solve: the one that led here or, where the
     /// run ended short of its goal, the one that led no further.
     pub trace: Vec<Iteration>,
+    #[serde(skip)]
     certifier: Certifier,
 }
 

@@ -1,9 +1,10 @@
 //! How a run ended. Data, never an error: every run ends in one of these.
 
 use crate::model::Line;
+use serde::{Deserialize, Serialize};
 
 /// The outcome of a run.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Status {
     /// The goal is reached and its shape is a certified equilibrium.
     Converged,
@@ -29,7 +30,7 @@ pub enum Status {
 }
 
 /// Why a branch of equilibria ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum EndReason {
     /// A segment's linkage is at the limit of its assembly and locks.
     LinkageLimit,
@@ -52,7 +53,7 @@ impl EndReason {
 }
 
 /// A contact that takes part in a conflict.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Conflict {
     /// The line of the robot.
     pub line: Line,

@@ -8,17 +8,22 @@ use crate::model::{Line, Robot};
 /// node that carries a disk, `between disks 6 and 7, backbone` for one that
 /// does not.
 pub fn part_name(robot: &Robot, contact: &Contact) -> String {
+    part_name_at(robot, contact.line, contact.node)
+}
+
+/// The same for the part on a line at a node, from 1 at the base's neighbour.
+pub fn part_name_at(robot: &Robot, line: Line, node: usize) -> String {
     let bay = robot.segments_per_bay;
-    let link = matches!(contact.line, Line::BackboneLink | Line::CableLink);
-    let whole = contact.node / bay + 1;
-    let place = if robot.has_disk(contact.node) && !link {
+    let link = matches!(line, Line::BackboneLink | Line::CableLink);
+    let whole = node / bay + 1;
+    let place = if robot.has_disk(node) && !link {
         format!("disk {whole}")
     } else {
         // A link ends at its node, so the one below a disk starts in its bay.
-        let below = (contact.node - usize::from(link)) / bay + 1;
+        let below = node.saturating_sub(usize::from(link)) / bay + 1;
         format!("between disks {below} and {}", below + 1)
     };
-    let side = match contact.line {
+    let side = match line {
         Line::Backbone => "backbone",
         Line::Cable => "cable side",
         Line::RimCableSide => "rim on the cable side",

@@ -31,7 +31,7 @@ mod stiffness;
 mod sweep;
 mod virtual_work;
 
-pub use label::part_name;
+pub use label::{part_name, part_name_at};
 pub use line_fit::{FitError, LineFit};
 pub use loading::{Loaded, Loading};
 pub use sections::{Section, Sections};

@@ -4,9 +4,15 @@
 use super::{Vector, from_parry, perpendicular, to_parry};
 use parry2d_f64::math::Pose;
 use parry2d_f64::transformation::convex_hull;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::ops::Range;
+
+/// How many vertices a core has: contacts name one in a byte.
+const VERTICES: Range<usize> = 2..255;
 
 /// A convex set in an obstacle's own frame.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub enum Core {
     /// The frame's origin.
     Point,
@@ -72,6 +78,44 @@ impl Clone for Obstacle {
     }
 }
 
+/// What an obstacle is made of.
+#[derive(Serialize, Deserialize)]
+struct Parts {
+    core: Core,
+    radius: f64,
+    position: Vector,
+    angle: f64,
+}
+
+impl Serialize for Obstacle {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let parts = Parts {
+            core: self.core.clone(),
+            radius: self.radius,
+            position: self.position(),
+            angle: self.angle,
+        };
+        parts.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Obstacle {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let parts = Parts::deserialize(deserializer)?;
+        if let Core::Vertices(vertices) = &parts.core
+            && !VERTICES.contains(&vertices.len())
+        {
+            return Err(D::Error::custom("a core of too few or too many vertices"));
+        }
+        Ok(Self::new(
+            parts.core,
+            parts.radius,
+            parts.position,
+            parts.angle,
+        ))
+    }
+}
+
 impl Obstacle {
     /// An obstacle from its core, the radius the core is grown by, and its
     /// frame's position and counterclockwise angle.
@@ -82,7 +126,7 @@ impl Obstacle {
     pub fn new(core: Core, radius: f64, position: Vector, angle: f64) -> Self {
         if let Core::Vertices(vertices) = &core {
             let count = vertices.len();
-            assert!((2..255).contains(&count), "a core of {count} vertices");
+            assert!(VERTICES.contains(&count), "a core of {count} vertices");
         }
         let mut obstacle = Self {
             core,

@@ -3,9 +3,10 @@
 
 use crate::geometry::Vector;
 use crate::solver::State;
+use serde::{Deserialize, Serialize};
 
 /// A line of the robot that contacts are reported on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum Line {
     /// A node of the backbone.
     Backbone,
@@ -40,7 +41,7 @@ impl Line {
 
 /// The shape of a candidate. Levers are distances from the backbone along a
 /// disk, positive towards the cable, in metres.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Element {
     /// A point of the candidate's node.
     Point {
@@ -60,7 +61,7 @@ pub enum Element {
 }
 
 /// A part of the robot that may touch obstacles.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Candidate {
     /// What it is reported as.
     pub line: Line,

@@ -1,9 +1,10 @@
 //! A node of the planar robot: where it is and how its disk points.
 
 use crate::geometry::{Vector, perpendicular};
+use serde::{Deserialize, Serialize};
 
 /// A backbone point with the direction of its disk towards the cable.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlanarNode {
     /// The backbone point, in metres.
     pub position: Vector,

@@ -7,10 +7,13 @@ use super::rows;
 use crate::geometry::{Obstacle, Vector, perpendicular};
 use crate::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State};
 use nalgebra::{SMatrix, matrix, vector};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// The robot's dimensions, in metres.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Robot {
     /// Length of the backbone.
     pub length: f64,
@@ -74,6 +77,46 @@ impl Clone for Problem {
         self.candidates = Arc::clone(&source.candidates);
         self.reach = source.reach;
         self.obstacles.clone_from(&source.obstacles);
+    }
+}
+
+/// What a problem is made of.
+#[derive(Serialize, Deserialize)]
+struct Parts<'a> {
+    robot: Robot,
+    pull: f64,
+    candidates: Cow<'a, [Candidate]>,
+    obstacles: Cow<'a, [Obstacle]>,
+}
+
+impl Serialize for Problem {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let parts = Parts {
+            robot: self.robot,
+            pull: self.pull,
+            candidates: Cow::Borrowed(&self.candidates),
+            obstacles: Cow::Borrowed(&self.obstacles),
+        };
+        parts.serialize(serializer)
+    }
+}
+
+/// Reads what was written of a problem: a pull out of the robot's range is
+/// refused, other parts are taken as they are.
+impl<'de> Deserialize<'de> for Problem {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let parts = Parts::deserialize(deserializer)?;
+        let (least, most) = parts.robot.pull_range();
+        if !(least..=most).contains(&parts.pull) {
+            return Err(D::Error::custom("a pull out of the robot's range"));
+        }
+        let (candidates, obstacles) = (parts.candidates, parts.obstacles);
+        Ok(Self::from_parts(
+            parts.robot,
+            parts.pull,
+            candidates.into_owned(),
+            obstacles.into_owned(),
+        ))
     }
 }
 
@@ -161,6 +204,15 @@ impl Problem {
                 .iter()
                 .zip(&other.obstacles)
                 .all(|(a, b)| a.resembles(b))
+    }
+
+    /// Whether another problem is this one but for the pull.
+    pub fn differs_in_pull_only(&self, other: &Self) -> bool {
+        let mut pairs = self.obstacles.iter().zip(&other.obstacles);
+        self.robot == other.robot
+            && self.same_candidates(other)
+            && self.obstacles.len() == other.obstacles.len()
+            && pairs.all(|(a, b)| a.resembles(b) && a.change(b) == 0.0)
     }
 
     /// Whether the same parts of the robot may touch in both.

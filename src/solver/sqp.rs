@@ -23,6 +23,7 @@ use super::point::Point;
 use super::riccati::{NotPositive, Riccati};
 use super::working_set::{Terms, WorkingSet};
 use crate::math::greatest;
+use serde::{Deserialize, Serialize};
 
 /// Whether an iteration may step over what [`Chain::passes_through`] names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,7 +90,7 @@ pub enum Progress {
 }
 
 /// One line of the iteration trace: the point an iteration started from.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Iteration {
     /// Σ L.
     pub cost: f64,

@@ -35,6 +35,8 @@ pub struct Tokens {
     pub accent: Color32,
     /// Behind what is selected.
     pub accent_soft: Color32,
+    /// What presses, where there is no multiplier to show.
+    pub contact: Color32,
     /// Warnings, always with a word.
     pub warning: Color32,
     /// Errors, always with a way out.
@@ -61,6 +63,7 @@ impl Tokens {
             muted: colour(palette.muted),
             accent,
             accent_soft: Color32::from_rgb(0xd8, 0xe5, 0xfb),
+            contact: colour(theme.contact(0.6)),
             warning: colour(palette.warning),
             error: Color32::from_rgb(0xb4, 0x23, 0x2a),
             good: Color32::from_rgb(0x1b, 0x7f, 0x5c),

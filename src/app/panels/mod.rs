@@ -1,6 +1,7 @@
 //! The panels around the canvas: bar, outline, transport, status, dock.
 
 mod bar;
+mod track;
 mod transport;
 
 use super::look::Tokens;

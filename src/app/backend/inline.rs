@@ -1,13 +1,14 @@
 //! Solving on the thread that asks, a slice at each poll: for tests, whose
 //! pictures must not depend on a race, and where there are no workers.
 
-use super::{Job, Request, SolverBackend, Update, Work};
+use super::{Found, Slice, SolverBackend, Timed};
+use crate::solving::Request;
 use web_time::{Duration, Instant};
 
 /// A backend that solves inside [`SolverBackend::poll`].
 #[derive(Debug)]
 pub struct Inline {
-    job: Job,
+    job: Timed,
     busy: bool,
     patience: Option<Duration>,
 }
@@ -16,7 +17,7 @@ impl Inline {
     /// Solves everything at once in one poll, however long it takes.
     pub fn to_the_end() -> Self {
         Self {
-            job: Job::default(),
+            job: Timed::default(),
             busy: false,
             patience: None,
         }
@@ -37,13 +38,13 @@ impl SolverBackend for Inline {
         self.busy = true;
     }
 
-    fn poll(&mut self) -> Option<Update> {
+    fn poll(&mut self) -> Option<Found> {
         let begin = Instant::now();
         while self.busy {
             match self.job.work() {
-                Work::Found(update) => return Some(update),
-                Work::Done => self.busy = false,
-                Work::More => {
+                Slice::Found(found) => return Some(found),
+                Slice::Done => self.busy = false,
+                Slice::More => {
                     if self.patience.is_some_and(|most| begin.elapsed() > most) {
                         return None;
                     }
@@ -53,7 +54,7 @@ impl SolverBackend for Inline {
         None
     }
 
-    fn is_busy(&self) -> bool {
+    fn wants_frames(&self) -> bool {
         self.busy
     }
 }

@@ -1,7 +1,8 @@
 //! Solving on a thread of its own. The mailbox holds one request: a newer one
 //! replaces it, and is looked for between any two slices of work.
 
-use super::{Job, Request, SolverBackend, Update, Work};
+use super::{Found, Slice, SolverBackend, Timed};
+use crate::solving::Request;
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{Builder, JoinHandle};
@@ -17,7 +18,7 @@ struct Mailbox {
 #[derive(Default)]
 struct Slots {
     request: Option<Request>,
-    updates: VecDeque<Update>,
+    found: VecDeque<Found>,
     working: bool,
     over: bool,
 }
@@ -55,7 +56,7 @@ impl Thread {
 }
 
 fn serve(mailbox: &Mailbox, found: impl Fn()) {
-    let mut job = Job::default();
+    let mut job = Timed::default();
     loop {
         let mut slots = mailbox.slots();
         if slots.over {
@@ -64,19 +65,19 @@ fn serve(mailbox: &Mailbox, found: impl Fn()) {
         if let Some(request) = slots.request.take() {
             // What was found for an older request is of no interest any more,
             // and what was found for this one is yet to come.
-            slots.updates.clear();
+            slots.found.clear();
             slots.working = true;
             drop(slots);
             job.take(request);
         } else if slots.working {
             drop(slots);
             match job.work() {
-                Work::More => {}
-                Work::Found(update) => {
-                    mailbox.slots().updates.push_back(update);
+                Slice::More => {}
+                Slice::Found(result) => {
+                    mailbox.slots().found.push_back(result);
                     found();
                 }
-                Work::Done => {
+                Slice::Done => {
                     mailbox.slots().working = false;
                     found();
                 }
@@ -96,13 +97,12 @@ impl SolverBackend for Thread {
         self.mailbox.mail.notify_one();
     }
 
-    fn poll(&mut self) -> Option<Update> {
-        self.mailbox.slots().updates.pop_front()
+    fn poll(&mut self) -> Option<Found> {
+        self.mailbox.slots().found.pop_front()
     }
 
-    fn is_busy(&self) -> bool {
-        let slots = self.mailbox.slots();
-        slots.working || slots.request.is_some() || !slots.updates.is_empty()
+    fn wants_frames(&self) -> bool {
+        false
     }
 }
 

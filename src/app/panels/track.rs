@@ -1,0 +1,128 @@
+//! The track of the pull: its slider, and marks where contacts begin and end,
+//! where the robot jumps and where its branch ends.
+
+use crate::app::look::{Tokens, icon_font, icons};
+use crate::app::state::{Hovered, State};
+use crate::app::words;
+use crate::equilibrium::{Event, Occurrence};
+use crate::units::{metres, millimetres};
+use eframe::egui::{Align2, FontId, Painter, Rangef, Rect, Sense, Slider, Stroke, Ui, pos2, vec2};
+
+/// Height of the slider, of which its handle takes four fifths.
+const HEIGHT: f32 = 20.0;
+
+/// Shows the slider in the width that is left.
+pub fn show(ui: &mut Ui, state: &mut State) {
+    let span = state.span_mm();
+    let pull_mm = &mut state.document.scene.actuation.pull_mm;
+    ui.spacing_mut().slider_width = (ui.available_width() - 4.0).max(80.0);
+    ui.spacing_mut().interact_size.y = HEIGHT;
+    let slider = Slider::new(pull_mm, span.0..=span.1)
+        .show_value(false)
+        .max_decimals(3);
+    let response = ui.add(slider).accessible_name("Pull slider");
+    // Where egui puts the middle of the handle.
+    let ends = response.rect.x_range().shrink(response.rect.height() / 2.5);
+    let at = |pull: f64| {
+        let share = (millimetres(pull) - span.0) / (span.1 - span.0).max(f64::MIN_POSITIVE);
+        ends.min + share as f32 * (ends.max - ends.min)
+    };
+    marks(ui, state, response.rect, ends, at);
+    if let Hovered::Pull(pull) = state.hovered {
+        let x = at(pull);
+        if ends.contains(x) {
+            let stroke = Stroke::new(1.0, Tokens::in_ui(ui).accent);
+            ui.painter().vline(x, response.rect.y_range(), stroke);
+        }
+    }
+}
+
+/// The marks of the path, if it is known, below the rail; each tells what it
+/// is under the pointer.
+fn marks(ui: &Ui, state: &mut State, rect: Rect, ends: Rangef, at: impl Fn(f64) -> f32) {
+    let tokens = Tokens::in_ui(ui);
+    let Some(path) = state.live.path().map(std::sync::Arc::clone) else {
+        return;
+    };
+    let current = state.live.path_is_current();
+    if let Some(end) = &path.end {
+        // What lies beyond the end of the branch is out of reach.
+        let x = at(end.pull).clamp(ends.min, ends.max);
+        let beyond =
+            Rect::from_x_y_ranges(x..=ends.max, rect.center().y - 2.0..=rect.center().y + 2.0);
+        ui.painter()
+            .rect_filled(beyond, 2.0, tokens.warning.gamma_multiply(0.35));
+    }
+    for (index, event) in path.events.iter().enumerate() {
+        let x = at(event.pull);
+        if !ends.contains(x) {
+            continue;
+        }
+        let foot = pos2(x, rect.bottom() + 2.0);
+        mark(ui.painter(), foot, event, &tokens, current);
+        let spot = Rect::from_center_size(foot, vec2(10.0, 12.0));
+        let id = ui.scope_id().with(("event", index));
+        let response = ui.interact(spot, id, Sense::click());
+        if response.hovered() {
+            state.hovering = Hovered::Pull(event.pull);
+        }
+        let text = words::event(event, &state.document.scene, state.live.problem().robot());
+        if response.on_hover_text(text).clicked() {
+            state.document.scene.actuation.pull_mm = millimetres(event.pull);
+        }
+    }
+}
+
+fn mark(
+    painter: &Painter,
+    foot: eframe::egui::Pos2,
+    event: &Event,
+    tokens: &Tokens,
+    current: bool,
+) {
+    let faded = if current { 1.0 } else { 0.4 };
+    match event.what {
+        Occurrence::ContactMade { .. } => {
+            painter.circle_filled(foot, 3.0, tokens.contact.gamma_multiply(faded));
+        }
+        Occurrence::ContactLost { .. } => {
+            let stroke = Stroke::new(1.25, tokens.muted.gamma_multiply(faded));
+            painter.circle_stroke(foot, 2.5, stroke);
+        }
+        Occurrence::Jump { .. } => {
+            let ink = tokens.warning.gamma_multiply(faded);
+            painter.text(
+                foot,
+                Align2::CENTER_CENTER,
+                icons::LIGHTNING,
+                icon_font(12.0),
+                ink,
+            );
+        }
+        Occurrence::BranchEnded { .. } => {
+            let ink = tokens.warning.gamma_multiply(faded);
+            painter.text(
+                foot,
+                Align2::CENTER_CENTER,
+                "×",
+                FontId::proportional(14.0),
+                ink,
+            );
+        }
+        Occurrence::PushedAside { .. } | Occurrence::StartRefused => {}
+    }
+}
+
+/// A range in metres as millimetres with two decimals, none of them outside.
+pub fn round_inwards(least: f64, most: f64) -> (f64, f64) {
+    let hundredths = |value: f64| millimetres(value) * 100.0;
+    let inside = (
+        hundredths(least).ceil() / 100.0,
+        hundredths(most).floor() / 100.0,
+    );
+    if inside.0 < inside.1 && metres(inside.0) >= least && metres(inside.1) <= most {
+        inside
+    } else {
+        (millimetres(least), millimetres(most))
+    }
+}

@@ -1,0 +1,102 @@
+//! Forces along a path, against the load on the cable: a curve where
+//! [`crate::forces::Loading`] finds single points, from states that are known.
+//!
+//! Loads count from contact, as the paper's P_l: the cable carries the tension
+//! it had when the robot began to press, and P_l more.
+
+use super::path::Path;
+use crate::forces::Stiffness;
+use crate::model::Problem;
+
+/// The forces at one pull.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadPoint {
+    /// The pull, in metres.
+    pub pull: f64,
+    /// The smooth piece of the path, as [`super::PathState::branch`].
+    pub branch: i32,
+    /// P_l, counted from contact, in N; falls where the robot slips.
+    pub load: f64,
+    /// The sum of all normal forces, in N.
+    pub total: f64,
+    /// The sum of the normal forces on each of [`LoadCurve::obstacles`], in N.
+    pub by_obstacle: Vec<f64>,
+}
+
+/// Forces against the load, from contact on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadCurve {
+    /// The pull at which the robot begins to press, in metres; `None` where it
+    /// presses on nothing.
+    pub contact: Option<f64>,
+    /// The cable's tension there, which loads are counted from, in N; 0 without
+    /// contact.
+    pub datum: f64,
+    /// The obstacles that are pressed on somewhere, by index.
+    pub obstacles: Vec<usize>,
+    /// By rising pull, from contact on, or from the straight robot on where it
+    /// presses on nothing.
+    pub points: Vec<LoadPoint>,
+}
+
+impl LoadCurve {
+    /// The forces on a robot of this stiffness along its path. They err by the
+    /// square of the distance between the path's states.
+    pub fn of(path: &Path, problem: &Problem, stiffness: Stiffness) -> Self {
+        let per_bend = stiffness.per_bend(problem);
+        let states = &path.states[path.states.partition_point(|state| state.pull < 0.0)..];
+        let mut obstacles: Vec<usize> = states
+            .iter()
+            .flat_map(|state| state.contacts.iter().map(|contact| contact.obstacle))
+            .collect();
+        obstacles.sort_unstable();
+        obstacles.dedup();
+        let pressing = states.iter().position(|state| !state.contacts.is_empty());
+        // A path has both sides of every change: the first that presses does not
+        // yet press to speak of.
+        let onset = pressing.map(|first| &states[first]);
+        let datum = onset.map_or(0.0, |state| per_bend * state.energy_slope);
+        let from_contact = &states[pressing.unwrap_or(0)..];
+        let points = from_contact.iter().map(|state| {
+            let on = |obstacle: &usize| {
+                let pressing = state.contacts.iter();
+                let on_it = pressing.filter(|contact| contact.obstacle == *obstacle);
+                per_bend * on_it.map(|contact| contact.multiplier).sum::<f64>()
+            };
+            LoadPoint {
+                pull: state.pull,
+                branch: state.branch,
+                load: per_bend * state.energy_slope - datum,
+                total: per_bend * state.pressure(),
+                by_obstacle: obstacles.iter().map(on).collect(),
+            }
+        });
+        Self {
+            contact: onset.map(|state| state.pull),
+            datum,
+            points: points.collect(),
+            obstacles,
+        }
+    }
+
+    /// The point under a load, in N: the first at which it is reached, straight
+    /// between the curve's points. `None` where it never is.
+    pub fn at(&self, load: f64) -> Option<LoadPoint> {
+        let after = self.points.iter().position(|point| point.load >= load)?;
+        let b = &self.points[after];
+        let before = after.checked_sub(1).map(|i| &self.points[i]);
+        let Some(a) = before.filter(|a| a.branch == b.branch && a.load < b.load) else {
+            return (b.load == load).then(|| b.clone());
+        };
+        let t = (load - a.load) / (b.load - a.load);
+        let mix = |a: f64, b: f64| (1.0 - t) * a + t * b;
+        let pairs = a.by_obstacle.iter().zip(&b.by_obstacle);
+        Some(LoadPoint {
+            pull: mix(a.pull, b.pull),
+            branch: a.branch,
+            load,
+            total: mix(a.total, b.total),
+            by_obstacle: pairs.map(|(a, b)| mix(*a, *b)).collect(),
+        })
+    }
+}

@@ -1,0 +1,116 @@
+//! The work on a request: first the shape, then the path, which is not urgent.
+
+use super::{Request, Shape, StartFrom, Update};
+use crate::equilibrium::{Progress, Run, Settings, Start};
+use crate::explore::PathRun;
+use crate::forces::Sweep;
+use crate::model::Problem;
+
+/// Iterations between two looks at whether a newer request has come: about
+/// 0.1 ms for the paper's robot.
+const SLICE: usize = 32;
+/// States of a path: a pixel or two apart in a plot.
+const STATES: usize = 201;
+
+/// What a slice of work led to.
+#[derive(Debug)]
+pub enum Work {
+    /// Nothing yet: call again.
+    More,
+    /// A result; call again for the next.
+    Found(Update),
+    /// Nothing is left to do.
+    Done,
+}
+
+/// Solves requests, each from where the one before it ended.
+#[derive(Debug, Default)]
+pub struct Job {
+    run: Option<Run>,
+    /// The request whose shape is being solved.
+    request: Option<Request>,
+    /// What the newest path belongs to …
+    course: Option<Course>,
+    /// … and that path, as long as it is being followed.
+    path: Option<PathRun>,
+}
+
+/// All that a path depends on.
+#[derive(Debug)]
+struct Course {
+    generation: u64,
+    problem: Problem,
+    span: (f64, f64),
+}
+
+impl Course {
+    fn is_that_of(&self, request: &Request) -> bool {
+        self.span == request.span && self.problem.differs_in_pull_only(&request.problem)
+    }
+}
+
+impl Job {
+    /// Takes a request in the place of the one it works on.
+    pub fn take(&mut self, request: Request) {
+        match &mut self.run {
+            Some(run) if request.from == StartFrom::Last => run.retarget(&request.problem),
+            run => {
+                let settings = Settings::default();
+                *run = Some(Run::new(&request.problem, Start::Straight, settings));
+            }
+        }
+        if !self.course.as_ref().is_some_and(|c| c.is_that_of(&request)) {
+            let (first, last) = request.span;
+            let pulls = Sweep::pulls(first, last, STATES);
+            self.path = Some(PathRun::new(&request.problem, pulls));
+            self.course = Some(Course {
+                generation: request.generation,
+                problem: request.problem.clone(),
+                span: request.span,
+            });
+        }
+        self.request = Some(request);
+    }
+
+    /// Works for a moment.
+    pub fn work(&mut self) -> Work {
+        match self.solve() {
+            Work::Done => self.follow(),
+            work => work,
+        }
+    }
+
+    fn solve(&mut self) -> Work {
+        let (Some(run), Some(request)) = (&mut self.run, &self.request) else {
+            return Work::Done;
+        };
+        match run.advance(SLICE) {
+            Progress::Running => Work::More,
+            Progress::Done => {
+                let shape = Shape {
+                    generation: request.generation,
+                    solution: run.solution().clone(),
+                    placed: run.obstacles_are_placed(),
+                };
+                self.request = None;
+                Work::Found(Update::Shape(shape))
+            }
+        }
+    }
+
+    fn follow(&mut self) -> Work {
+        let (Some(mut run), Some(course)) = (self.path.take(), &self.course) else {
+            return Work::Done;
+        };
+        match run.advance(SLICE) {
+            Progress::Running => {
+                self.path = Some(run);
+                Work::More
+            }
+            Progress::Done => Work::Found(Update::Path {
+                generation: course.generation,
+                path: run.finish(),
+            }),
+        }
+    }
+}
