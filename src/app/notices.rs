@@ -99,7 +99,8 @@ impl Notices {
                 ctx.request_repaint_after(left);
             }
         }
-        self.shown.retain(|notice| notice.until.is_none_or(|until| until > now));
+        self.shown
+            .retain(|notice| notice.until.is_none_or(|until| until > now));
         let mut dismissed = None;
         Area::new(Id::new("notices"))
             .order(Order::Foreground)

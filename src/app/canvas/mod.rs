@@ -2,7 +2,10 @@
 //! and taken hold of.
 
 mod camera;
+mod overlays;
 mod paint;
+
+pub(super) use paint::drawing as paint_drawing;
 
 use super::live::Live;
 use super::look::{Tokens, theme_of};
@@ -84,10 +87,13 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     state.canvas.camera.place(rect, &bounds);
     state.canvas.camera.navigate(ui, &response);
     let frame = state.canvas.camera.frame();
-    interact(&response, state, &frame);
+    if !overlays::interact(&response, state, &frame) {
+        interact(&response, state, &frame);
+    }
     let theme = theme_of(ui);
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, Tokens::of(theme).canvas);
+    overlays::behind(&painter, state, &frame);
     if state.preferences.grid {
         paint::grid(&painter, &frame, theme);
     }
@@ -104,6 +110,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
         .labels
         .paint(&painter, live.drawing(), revision, &frame, theme);
     paint::scale_bar(&painter, &frame, theme);
+    overlays::before(&painter, state, &frame, theme);
     paint::legend(&painter, live.drawing(), rect, theme);
 }
 

@@ -5,7 +5,7 @@
 //! start is from a crash (or a system that shut down), and is offered. A stored
 //! value that cannot be read is dropped and told.
 
-use super::{Arrival, Files};
+use super::Arrival;
 use crate::app::state::{Preferences, State};
 use crate::scene::{Scene, SceneError};
 use eframe::Storage;
@@ -111,24 +111,38 @@ pub fn store(state: &State, storage: &mut dyn Storage) {
     eframe::set_value(storage, UNSAVED, &unsaved);
 }
 
-/// Stores it at once where a gesture has just ended and anything differs: an
-/// idle window is given no other occasion.
+/// What tells whether anything differs from what was last stored.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Mark {
+    scene: Scene,
+    changed: bool,
+    file: Option<PathBuf>,
+    preferences: Preferences,
+    unsaved: usize,
+}
+
+impl Mark {
+    fn of(state: &State) -> Self {
+        Self {
+            scene: state.document.scene.clone(),
+            changed: state.document.is_changed(),
+            file: state.document.file.clone(),
+            preferences: state.preferences.clone(),
+            unsaved: state.files.unsaved.len(),
+        }
+    }
+}
+
+/// Stores it at once where anything differs, for the end of a gesture: an idle
+/// window is given no other occasion.
 pub fn store_settled(state: &mut State, storage: Option<&mut (dyn Storage + 'static)>) {
     let Some(storage) = storage else {
         return;
     };
-    let now = (Unsaved::of(state), state.preferences.clone());
+    let now = Mark::of(state);
     if state.files.stored.as_ref() != Some(&now) {
         store(state, storage);
         storage.flush();
         state.files.stored = Some(now);
-    }
-}
-
-impl Files {
-    /// Takes what an earlier window has left.
-    pub fn remember_all(&mut self, stored: Stored) {
-        self.recent = stored.recent;
-        self.unsaved = stored.unsaved;
     }
 }

@@ -28,7 +28,9 @@ impl Dropped {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         let ending = ending.unwrap_or_default();
         let known = [Errand::Scene, Errand::Measurements, Errand::Photo];
-        let errand = known.into_iter().find(|errand| errand.endings().contains(&&*ending));
+        let errand = known
+            .into_iter()
+            .find(|errand| errand.endings().contains(&&*ending));
         errand.map_or(Dropped::Useless, Dropped::For)
     }
 
@@ -48,7 +50,9 @@ impl Dropped {
     fn promise(self) -> (&'static str, &'static str) {
         match self {
             Dropped::For(Errand::Measurements) => (icons::TABLE, "Drop to import the measurements"),
-            Dropped::For(Errand::Photo) => (icons::IMAGE, "Drop to lay the photograph behind the robot"),
+            Dropped::For(Errand::Photo) => {
+                (icons::IMAGE, "Drop to lay the photograph behind the robot")
+            }
             Dropped::For(_) => (icons::FOLDER_OPEN, "Drop to open the scene"),
             Dropped::Useless => (icons::WARNING_CIRCLE, USELESS),
         }
@@ -64,7 +68,9 @@ pub fn take_drops(state: &mut State, ctx: &Context) {
             Dropped::For(errand) => state.files.platform.take(errand, file),
             Dropped::Useless => {
                 let name = shown(file.path());
-                state.notices.tell(Notice::trouble(format!("{name} cannot be used here. {USELESS}.")));
+                state.notices.tell(Notice::trouble(format!(
+                    "{name} cannot be used here. {USELESS}."
+                )));
             }
         }
     }
@@ -106,7 +112,12 @@ pub fn announce(ui: &Ui) {
         icon_font(40.0),
         colour,
     );
-    let text = painter.layout(promise.to_owned(), semibold(18.0), tokens.text, inner.width() - 48.0);
+    let text = painter.layout(
+        promise.to_owned(),
+        semibold(18.0),
+        tokens.text,
+        inner.width() - 48.0,
+    );
     let at = middle + eframe::egui::vec2(-0.5 * text.size().x, 10.0);
     let below = at.y + text.size().y + 16.0;
     painter.galley(at, text, tokens.text);
@@ -133,7 +144,10 @@ pub fn take_pastes(state: &mut State, ctx: &Context) {
         return;
     }
     let pasted = ctx.input_mut(|input| {
-        let place = input.events.iter().position(|event| matches!(event, Event::Paste(_)))?;
+        let place = input
+            .events
+            .iter()
+            .position(|event| matches!(event, Event::Paste(_)))?;
         match input.events.remove(place) {
             Event::Paste(text) => Some(text),
             _ => None,
@@ -170,7 +184,10 @@ pub fn open_text(state: &mut State, text: &str, ctx: &Context) {
 
 /// Whether text is meant as a scene's, faults or not.
 fn is_scene(text: &str) -> bool {
-    let has = |start: &str| text.lines().any(|line| line.trim_start().starts_with(start));
+    let has = |start: &str| {
+        text.lines()
+            .any(|line| line.trim_start().starts_with(start))
+    };
     has("[robot]") || has("robot") || has("version") || Scene::from_toml(text).is_ok()
 }
 

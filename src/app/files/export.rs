@@ -41,7 +41,10 @@ pub fn picture(state: &mut State, kind: PictureKind, ctx: &Context) {
     });
     if !state.files.asking {
         state.files.asking = true;
-        state.files.platform.write(Errand::Picture(kind), to, contents);
+        state
+            .files
+            .platform
+            .write(Errand::Picture(kind), to, contents);
     }
 }
 

@@ -12,13 +12,13 @@ pub mod export;
 mod open;
 mod photo_path;
 
-pub use drop::{Dropped, take_drops, take_pastes};
+pub use drop::{Dropped, announce, take_drops, take_pastes};
 pub use open::{faults_of, scene_from};
 
 use super::notices::Notice;
 use super::platform::{Destination, Errand, News, Platform};
 use super::sheets::Sheet;
-use super::state::{Preferences, State};
+use super::state::State;
 use crate::scene::Scene;
 use autosave::Unsaved;
 use eframe::egui::{Context, ViewportCommand};
@@ -69,8 +69,8 @@ pub struct Files {
     pub closing: bool,
     /// The window's title as the system knows it.
     title: String,
-    /// What was last stored against a crash, and the preferences with it.
-    stored: Option<(Option<Unsaved>, Preferences)>,
+    /// What was last stored.
+    stored: Option<autosave::Mark>,
 }
 
 impl Files {
@@ -245,7 +245,10 @@ fn failed(state: &mut State, errand: Errand, path: Option<PathBuf>, reason: Stri
         }
         Errand::Scene => {
             // What cannot be opened is no longer offered.
-            state.files.recent.retain(|known| Some(known) != path.as_ref());
+            state
+                .files
+                .recent
+                .retain(|known| Some(known) != path.as_ref());
         }
         _ => {}
     }
@@ -267,7 +270,12 @@ fn failed(state: &mut State, errand: Errand, path: Option<PathBuf>, reason: Stri
 /// A clause as a sentence.
 pub fn sentence(clause: &str) -> String {
     let mut letters = clause.chars();
-    let mut text: String = letters.next().map(char::to_uppercase).into_iter().flatten().collect();
+    let mut text: String = letters
+        .next()
+        .map(char::to_uppercase)
+        .into_iter()
+        .flatten()
+        .collect();
     text.push_str(letters.as_str());
     if !text.ends_with(['.', '!', '?']) {
         text.push('.');
@@ -290,7 +298,9 @@ fn folder(state: &State) -> Option<PathBuf> {
 /// A file's name for what is in the window, with an ending.
 pub fn file_name(state: &State, ending: &str) -> String {
     let stem = match &state.document.file {
-        Some(file) => file.file_stem().map(|stem| stem.to_string_lossy().into_owned()),
+        Some(file) => file
+            .file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned()),
         None => state.document.scene.title.as_deref().map(plain),
     };
     let stem = stem.filter(|stem| !stem.is_empty());
@@ -309,7 +319,11 @@ fn plain(title: &str) -> String {
 
 /// Tells the system what the window is called, where that has changed.
 pub fn title(state: &mut State, ctx: &Context) {
-    let changed = if state.document.is_changed() { "• " } else { "" };
+    let changed = if state.document.is_changed() {
+        "• "
+    } else {
+        ""
+    };
     let title = format!("{changed}{} – Sinew", state.document.name());
     if title != state.files.title {
         ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));

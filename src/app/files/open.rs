@@ -47,7 +47,10 @@ pub fn scene_from(bytes: &[u8], file: Option<&Path>) -> Result<Scene, Vec<SceneE
 
 /// Faults as sentences.
 pub fn faults_of(faults: &[SceneError]) -> Vec<String> {
-    faults.iter().map(|fault| super::sentence(&fault.to_string())).collect()
+    faults
+        .iter()
+        .map(|fault| super::sentence(&fault.to_string()))
+        .collect()
 }
 
 /// Opens what a file holds, after asking where unsaved work would be lost.
@@ -82,7 +85,9 @@ pub(super) fn arrive(state: &mut State, arrival: Arrival) {
         told,
         kept,
     } = arrival;
-    let name = file.as_deref().map_or_else(|| "The scene".to_owned(), shown);
+    let name = file
+        .as_deref()
+        .map_or_else(|| "The scene".to_owned(), shown);
     if let Err(faults) = state.open(scene) {
         refuse(state, &name, &faults);
         return;

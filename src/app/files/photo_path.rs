@@ -24,7 +24,9 @@ pub fn as_kept_in(scene: &Scene, folder: Option<&Path>) -> Scene {
         && let Ok(below) = Path::new(&photo.file).strip_prefix(folder)
         && !folder.as_os_str().is_empty()
     {
-        let parts = below.components().map(|part| part.as_os_str().to_string_lossy());
+        let parts = below
+            .components()
+            .map(|part| part.as_os_str().to_string_lossy());
         photo.file = parts.collect::<Vec<_>>().join("/");
     }
     scene
@@ -36,7 +38,9 @@ fn without_detours(path: &Path) -> PathBuf {
     for part in path.components() {
         match part {
             Component::CurDir => {}
-            Component::ParentDir if matches!(plain.components().next_back(), Some(Component::Normal(_))) => {
+            Component::ParentDir
+                if matches!(plain.components().next_back(), Some(Component::Normal(_))) =>
+            {
                 plain.pop();
             }
             part => plain.push(part),
@@ -70,7 +74,10 @@ mod tests {
     #[test]
     #[cfg(unix)]
     fn a_path_survives_moving_the_scene() {
-        let opened = as_opened_from(with("../pictures/./a.png"), Some(Path::new("/home/x/scenes")));
+        let opened = as_opened_from(
+            with("../pictures/./a.png"),
+            Some(Path::new("/home/x/scenes")),
+        );
         assert_eq!(file(&opened), "/home/x/pictures/a.png");
         let check = |folder, expect| {
             assert_eq!(file(&as_kept_in(&opened, Some(Path::new(folder)))), expect);
@@ -78,7 +85,10 @@ mod tests {
         check("/home/x/scenes", "/home/x/pictures/a.png");
         check("/home/x", "pictures/a.png");
         check("/home/x/pictures", "a.png");
-        let back = as_opened_from(as_kept_in(&opened, Some(Path::new("/home/x"))), Some(Path::new("/home/x")));
+        let back = as_opened_from(
+            as_kept_in(&opened, Some(Path::new("/home/x"))),
+            Some(Path::new("/home/x")),
+        );
         assert_eq!(back, opened);
     }
 

@@ -1,8 +1,15 @@
 //! The panels around the canvas: bar, outline, transport, status, dock.
 
 mod bar;
+mod measured;
+mod menu;
+mod photo;
+mod restore;
+mod settings;
 mod track;
 mod transport;
+
+pub use settings::settings_id;
 
 use super::look::Tokens;
 use super::state::State;
@@ -19,6 +26,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     Panel::top("bar")
         .frame(frame(12, 6))
         .show(ui, |ui| bar::show(ui, state));
+    restore::show(ui, state);
     Panel::bottom("transport")
         .frame(frame(12, 8))
         .show(ui, |ui| transport::show(ui, state));

@@ -92,7 +92,10 @@ mod tests {
     fn a_picture_is_decoded_and_large_ones_are_shown_with_fewer_pixels() {
         let small = decode(&png(3, 2)).unwrap();
         assert_eq!((small.size, small.image.size), ([3, 2], [3, 2]));
-        assert_eq!(small.image.pixels[0], Color32::from_rgba_unmultiplied(255, 0, 0, 128));
+        assert_eq!(
+            small.image.pixels[0],
+            Color32::from_rgba_unmultiplied(255, 0, 0, 128)
+        );
         let large = decode(&png(4096, 16)).unwrap();
         assert_eq!((large.size, large.image.size), ([4096, 16], [2048, 8]));
     }

@@ -78,7 +78,10 @@ pub fn fetch(state: &mut State) {
         return;
     };
     let path = PathBuf::from(&photo.file);
-    if matches!(state.photos.known.get(&path), Some(Photograph::Here { .. } | Photograph::Coming)) {
+    if matches!(
+        state.photos.known.get(&path),
+        Some(Photograph::Here { .. } | Photograph::Coming)
+    ) {
         return;
     }
     state.photos.known.insert(path.clone(), Photograph::Coming);
@@ -102,7 +105,10 @@ pub fn take(state: &mut State, errand: Errand, path: PathBuf, bytes: Vec<u8>) {
 /// Notes that the photograph that the scene names cannot be read.
 pub fn missing(state: &mut State, path: Option<PathBuf>, reason: String) {
     if let Some(path) = path {
-        state.photos.known.insert(path, Photograph::Missing(sentence(&reason)));
+        state
+            .photos
+            .known
+            .insert(path, Photograph::Missing(sentence(&reason)));
     }
 }
 

@@ -99,7 +99,12 @@ pub fn paint(painter: &Painter, photos: &Photos, photo: Option<&Photo>, frame: &
     let shown = (255.0 * photo.opacity.clamp(0.0, 1.0)).round() as u8;
     let tint = Color32::from_white_alpha(shown);
     let mut mesh = Mesh::with_texture(texture.id());
-    let uv = [pos2(0.0, 0.0), pos2(1.0, 0.0), pos2(1.0, 1.0), pos2(0.0, 1.0)];
+    let uv = [
+        pos2(0.0, 0.0),
+        pos2(1.0, 0.0),
+        pos2(1.0, 1.0),
+        pos2(0.0, 1.0),
+    ];
     for (place, uv) in places.into_iter().zip(uv) {
         mesh.vertices.push(eframe::egui::epaint::Vertex {
             pos: place,
@@ -121,18 +126,26 @@ pub fn outline(painter: &Painter, state: &State, frame: &Frame, theme: Theme) {
         && state.selection == Selection::Photo
         && let Some(ratio) = photos.ratio(photo)
     {
-        let mut line = corners(photo, ratio).map(|corner| to_screen(frame, corner)).to_vec();
+        let mut line = corners(photo, ratio)
+            .map(|corner| to_screen(frame, corner))
+            .to_vec();
         line.extend(line.first().copied());
         let stroke = Stroke::new(1.5, tokens.accent);
         painter.extend(Shape::dashed_line(&line, stroke, 6.0, 4.0));
     }
     if let Some(scaling) = &photos.scaling {
-        let points: Vec<Pos2> = scaling.points.iter().map(|p| to_screen(frame, *p)).collect();
+        let points: Vec<Pos2> = scaling
+            .points
+            .iter()
+            .map(|p| to_screen(frame, *p))
+            .collect();
         if let [a, b] = points[..] {
             painter.line_segment([a, b], Stroke::new(2.0, tokens.accent));
         }
         for point in points {
-            let arm = |by: Vec2| painter.line_segment([point - by, point + by], Stroke::new(1.5, tokens.text));
+            let arm = |by: Vec2| {
+                painter.line_segment([point - by, point + by], Stroke::new(1.5, tokens.text))
+            };
             arm(Vec2::new(9.0, 0.0));
             arm(Vec2::new(0.0, 9.0));
             painter.circle(point, 4.0, tokens.accent, Stroke::new(1.5, tokens.raised));
@@ -221,6 +234,9 @@ mod tests {
         assert!(holds(&photo(), 0.5, Vector::new(0.01, 0.069)));
         assert!(!holds(&photo(), 0.5, Vector::new(0.059, 0.02)));
         let upper_left = corners(&photo(), 0.5)[0];
-        assert!((upper_left - Vector::new(-0.015, -0.03)).norm() < 1e-12, "{upper_left}");
+        assert!(
+            (upper_left - Vector::new(-0.015, -0.03)).norm() < 1e-12,
+            "{upper_left}"
+        );
     }
 }

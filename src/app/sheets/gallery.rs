@@ -86,7 +86,9 @@ pub(super) fn open(state: &mut State, example: &'static Example, ctx: &Context) 
             let arrival = Arrival::of(scene);
             files::request(state, Intent::Scene(Box::new(arrival)), ctx);
         }
-        Err(fault) => state.notices.tell(Notice::trouble(files::sentence(&fault.to_string()))),
+        Err(fault) => state
+            .notices
+            .tell(Notice::trouble(files::sentence(&fault.to_string()))),
     }
 }
 
@@ -102,8 +104,11 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
         let width = ((wide - GAP * (columns - 1.0)) / columns).floor();
         let size = vec2(width, (PICTURE * width).round() + WORDS);
         for group in Group::ALL {
-            let examples: Vec<(usize, &'static Example)> =
-                EXAMPLES.iter().enumerate().filter(|(_, e)| e.group == group).collect();
+            let examples: Vec<(usize, &'static Example)> = EXAMPLES
+                .iter()
+                .enumerate()
+                .filter(|(_, e)| e.group == group)
+                .collect();
             if examples.is_empty() {
                 continue;
             }
@@ -153,7 +158,11 @@ fn card(
     }
     let tokens = Tokens::in_ui(ui);
     let radius = CornerRadius::same(10);
-    let fill = if response.hovered() { tokens.hover } else { tokens.panel };
+    let fill = if response.hovered() {
+        tokens.hover
+    } else {
+        tokens.panel
+    };
     let edge = if response.has_focus() || response.hovered() {
         Stroke::new(if response.has_focus() { 2.0 } else { 1.0 }, tokens.accent)
     } else {
@@ -162,20 +171,30 @@ fn card(
     ui.painter().rect_filled(rect, radius, fill);
     let split = rect.bottom() - WORDS;
     let window = Rect::from_min_max(rect.min, pos2(rect.right(), split));
-    let upper = CornerRadius { sw: 0, se: 0, ..radius };
+    let upper = CornerRadius {
+        sw: 0,
+        se: 0,
+        ..radius
+    };
     ui.painter().rect_filled(window, upper, tokens.canvas);
     if let Some(Picture::There(drawing)) = picture {
         let painter = ui.painter_at(window);
         let inner = bounds(window.shrink(10.0));
-        let frame = Frame { window: bounds(window), ..Frame::fitting(&drawing.bounds, inner) };
+        let frame = Frame {
+            window: bounds(window),
+            ..Frame::fitting(&drawing.bounds, inner)
+        };
         paint_drawing(&painter, drawing, &frame, theme_of(ui));
     }
-    ui.painter().rect_stroke(rect, radius, edge, StrokeKind::Inside);
+    ui.painter()
+        .rect_stroke(rect, radius, edge, StrokeKind::Inside);
     let words = Rect::from_min_max(pos2(rect.left(), split), rect.max).shrink2(vec2(12.0, 10.0));
     let layout = Layout::top_down(Align::Min);
     let mut inner = ui.new_child(UiBuilder::new().max_rect(words).layout(layout));
     inner.spacing_mut().item_spacing.y = 2.0;
-    let title = RichText::new(example.title).font(semibold(14.0)).color(tokens.text);
+    let title = RichText::new(example.title)
+        .font(semibold(14.0))
+        .color(tokens.text);
     let label = |text| eframe::egui::Label::new(text).selectable(false);
     inner.add(label(title).truncate());
     let lesson = RichText::new(example.lesson).small().color(tokens.muted);

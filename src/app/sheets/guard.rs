@@ -28,7 +28,9 @@ pub(super) fn show(ctx: &Context, state: &mut State) {
         ui.set_width(width);
         ui.label(RichText::new(title).font(semibold(18.0)));
         ui.add_space(4.0);
-        ui.label(format!("What you have changed is not saved. Save it {what}, or discard it."));
+        ui.label(format!(
+            "What you have changed is not saved. Save it {what}, or discard it."
+        ));
         ui.add_space(16.0);
         let mut answer = None;
         ui.horizontal(|ui| {

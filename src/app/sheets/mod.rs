@@ -125,7 +125,11 @@ fn frame(ui_style: &eframe::egui::Style) -> Frame {
 }
 
 fn modal(ctx: &Context, name: &str) -> Modal {
-    let shade = if ctx.global_style().visuals.dark_mode { 150 } else { 80 };
+    let shade = if ctx.global_style().visuals.dark_mode {
+        150
+    } else {
+        80
+    };
     Modal::new(Id::new(name))
         .backdrop_color(Color32::from_black_alpha(shade))
         .frame(frame(&ctx.global_style()))
@@ -188,7 +192,11 @@ fn caption(ui: &mut Ui, text: &str) {
 fn main_button(ui: &mut Ui, text: &str) -> eframe::egui::Response {
     let tokens = Tokens::in_ui(ui);
     // Light on the accent by day, dark on it by night.
-    let ink = if ui.visuals().dark_mode { tokens.sunken } else { tokens.raised };
+    let ink = if ui.visuals().dark_mode {
+        tokens.sunken
+    } else {
+        tokens.raised
+    };
     let text = RichText::new(text).font(semibold(14.0)).color(ink);
     let button = eframe::egui::Button::new(text).fill(tokens.accent);
     ui.add(button.min_size(vec2(72.0, 32.0)))

@@ -59,7 +59,11 @@ pub fn score(title: &str, typed: &str) -> Option<i32> {
             if known == letter {
                 let begins = i == 0 || !title[i - 1].is_alphanumeric();
                 let worth = if begins { 8 } else { 1 };
-                let follows = if i > 0 && place > 0 { best[i - 1] } else { None };
+                let follows = if i > 0 && place > 0 {
+                    best[i - 1]
+                } else {
+                    None
+                };
                 let joined = follows.map(|score| score + 5);
                 next[i] = left.max(joined).map(|score| score + worth);
             }
@@ -84,7 +88,9 @@ fn lines(state: &State, ctx: &Context) -> Vec<Line> {
             action: Action::Command(entry.command),
             icon: entry.icon,
             title: entry.title.to_owned(),
-            aside: entry.shortcut.map_or_else(String::new, |keys| ctx.format_shortcut(&keys)),
+            aside: entry
+                .shortcut
+                .map_or_else(String::new, |keys| ctx.format_shortcut(&keys)),
             enabled: entry.command.is_enabled(state),
         })
         .collect();
@@ -127,7 +133,11 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
         // Before the field sees them.
         let (up, down, enter) = ui.input_mut(|input| {
             let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
-            (pressed(Key::ArrowUp), pressed(Key::ArrowDown), pressed(Key::Enter))
+            (
+                pressed(Key::ArrowUp),
+                pressed(Key::ArrowDown),
+                pressed(Key::Enter),
+            )
         });
         let field = TextEdit::singleline(&mut palette.typed)
             .hint_text("Search commands, examples and recent files")
@@ -146,10 +156,18 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
         let last = found.len().saturating_sub(1);
         let before = palette.line;
         if down {
-            palette.line = if palette.line >= last { 0 } else { palette.line + 1 };
+            palette.line = if palette.line >= last {
+                0
+            } else {
+                palette.line + 1
+            };
         }
         if up {
-            palette.line = if palette.line == 0 { last } else { palette.line - 1 };
+            palette.line = if palette.line == 0 {
+                last
+            } else {
+                palette.line - 1
+            };
         }
         palette.line = palette.line.min(last);
         ui.add_space(4.0);
@@ -197,7 +215,12 @@ fn row(ui: &mut Ui, line: &Line, current: bool) -> eframe::egui::Response {
     let size = vec2(ui.available_width(), LINE);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| {
-        WidgetInfo::selected(eframe::egui::Role::Button, line.enabled, current, &line.title)
+        WidgetInfo::selected(
+            eframe::egui::Role::Button,
+            line.enabled,
+            current,
+            &line.title,
+        )
     });
     if !ui.is_rect_visible(rect) {
         return response;
@@ -207,18 +230,26 @@ fn row(ui: &mut Ui, line: &Line, current: bool) -> eframe::egui::Response {
     } else if response.hovered() {
         ui.painter().rect_filled(rect, 6.0, tokens.hover);
     }
-    let colour = if line.enabled { tokens.text } else { tokens.muted.gamma_multiply(0.7) };
+    let colour = if line.enabled {
+        tokens.text
+    } else {
+        tokens.muted.gamma_multiply(0.7)
+    };
     let quiet = if line.enabled { tokens.muted } else { colour };
     let middle = rect.center().y;
-    let part = |from: f32, to: f32| {
-        Rect::from_min_max(pos2(from, rect.top()), pos2(to, rect.bottom()))
-    };
+    let part =
+        |from: f32, to: f32| Rect::from_min_max(pos2(from, rect.top()), pos2(to, rect.bottom()));
     let _ = middle;
     let font = TextStyle::Body.resolve(ui.style());
     let small = TextStyle::Small.resolve(ui.style());
-    let aside = ui.painter().layout_no_wrap(line.aside.clone(), small, quiet);
+    let aside = ui
+        .painter()
+        .layout_no_wrap(line.aside.clone(), small, quiet);
     let width = aside.size().x;
-    let at = pos2(rect.right() - 10.0 - width, rect.center().y - 0.5 * aside.size().y);
+    let at = pos2(
+        rect.right() - 10.0 - width,
+        rect.center().y - 0.5 * aside.size().y,
+    );
     ui.painter().galley(at, aside, quiet);
     let glyph = part(rect.left() + 8.0, rect.left() + 32.0);
     let mut inner = ui.new_child(UiBuilder::new().max_rect(glyph));

@@ -1,0 +1,1 @@
+//! What can be done with the measurements while they are selected.
