@@ -14,7 +14,8 @@ struct View {
     up: vec4f,
     // Towards the key light; w: how dark its shadows are on the board.
     key: vec4f,
-    // Light from above and from below, linear.
+    // Light from above and from below, linear; w of the sky's: how much a glow
+    // covers what it lies over.
     sky: vec4f,
     ground: vec4f,
     // The background, linear; w: how strong glows are.
@@ -123,8 +124,7 @@ fn studio(direction: vec3f) -> vec3f {
     return light;
 }
 
-@fragment
-fn fs_solid(in: Surface) -> @location(0) vec4f {
+fn shaded(in: Surface) -> vec3f {
     let n = normalize(in.normal);
     let v = normalize(view.eye.xyz - in.position);
     let emission = in.finish.x;
@@ -140,7 +140,7 @@ fn fs_solid(in: Surface) -> @location(0) vec4f {
     // Diffuse: sky and ground, the key light, a cool fill from the right.
     let sky = mix(view.ground.rgb, view.sky.rgb, 0.5 + 0.5 * n.y);
     let fill = max(dot(n, normalize(vec3f(0.8, 0.1, 0.45))), 0.0);
-    var diffuse = sky * open * (0.75 + 0.25 * n.z);
+    var diffuse = sky * open * (0.85 + 0.15 * n.z);
     diffuse += vec3f(1.0, 0.975, 0.94) * max(towards, 0.0) * shadow * 0.95;
     diffuse += vec3f(0.86, 0.93, 1.0) * fill * 0.16 * open;
     // Specular: the key light's highlight and the studio's reflection.
@@ -154,7 +154,21 @@ fn fs_solid(in: Surface) -> @location(0) vec4f {
     var colour = in.colour * diffuse * (1.0 - 0.6 * metal) + specular;
     // A glow of its own is brightest where it faces the viewer.
     colour = mix(colour, in.colour * (0.75 + 0.45 * facing), emission);
-    return vec4f(toned(colour), 1.0);
+    return toned(colour);
+}
+
+@fragment
+fn fs_solid(in: Surface) -> @location(0) vec4f {
+    return vec4f(shaded(in), 1.0);
+}
+
+// Marks have a dark edge, so that they stand out from whatever is behind.
+@fragment
+fn fs_overlay(in: Surface) -> @location(0) vec4f {
+    let away = normalize(view.eye.xyz - in.position);
+    let facing = dot(normalize(in.normal), away);
+    let edge = smoothstep(0.20, 0.50, facing);
+    return vec4f(shaded(in) * mix(0.16, 1.0, edge), 1.0);
 }
 
 // --- What is behind ---
@@ -259,5 +273,5 @@ fn fs_glow(in: Glow) -> @location(0) vec4f {
     let away = min(length(in.place), 1.0);
     let soft = (1.0 - away * away) * (1.0 - away * away);
     let alpha = in.colour.a * view.background.w * soft * soft;
-    return vec4f(in.colour.rgb * alpha, alpha * 0.75);
+    return vec4f(in.colour.rgb * alpha, alpha * view.sky.w);
 }

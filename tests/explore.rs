@@ -106,6 +106,22 @@ fn a_path_is_the_sweep_of_the_same_pulls() {
 }
 
 #[test]
+fn the_free_tip_needs_no_solving() {
+    let free = problem(FREE);
+    let pulls = Sweep::pulls(-0.004, 0.020, 25);
+    let path = PathRun::new(&free, pulls.clone()).finish();
+    let solved = path.tip_sweep(free.robot().segments);
+    // Obstacles do not matter to it.
+    let known = Sweep::free(&problem(TWO_DISCS), &pulls);
+    assert_eq!((known.node, known.points.len()), (solved.node, 25));
+    for (a, b) in known.points.iter().zip(&solved.points) {
+        assert_eq!(a.pull, b.pull);
+        assert!((a.x - b.x).hypot(a.y - b.y) < 1e-12 && (a.angle - b.angle).abs() < 1e-11);
+        assert!((a.energy_slope - b.energy_slope).abs() < 1e-7 * (1.0 + b.energy_slope.abs()));
+    }
+}
+
+#[test]
 fn slices_of_any_size_give_the_same_path() {
     for problem in [problem(TWO_DISCS), slippery()] {
         let whole = PathRun::over(&problem, -0.002, 0.008, 30).finish();

@@ -8,6 +8,8 @@ mod offscreen;
 
 use std::sync::Arc;
 
+use eframe::egui;
+use eframe::egui_wgpu::wgpu::{TextureFormat, naga};
 use offscreen::{Offscreen, Picture};
 use sinew::equilibrium::{Settings, Solution, Start, solve};
 use sinew::geometry::{Core, Obstacle, Vector};
@@ -17,10 +19,15 @@ use sinew::render::{
     contour_spacing,
 };
 use sinew::scene::Scene;
-use sinew::view::{Bounds, Frame, Notes, Theme, draw};
+use sinew::view::{Bounds, Frame, Notes, Standing, Theme, draw};
 
 const TWO_DISCS: &str = include_str!("../assets/scenes/two-discs.toml");
 const SHAPES: &str = include_str!("../assets/scenes/shapes.toml");
+
+/// The format of most windows: sRGB, stored as it is given.
+const STORED: TextureFormat = TextureFormat::Rgba8Unorm;
+/// The format of windows that turn light into sRGB.
+const ENCODED: TextureFormat = TextureFormat::Rgba8UnormSrgb;
 
 fn solved(text: &str) -> (Scene, Problem, Solution) {
     let scene = Scene::from_toml(text).unwrap();
@@ -41,7 +48,7 @@ fn window(width: f64, height: f64) -> Bounds {
 /// The clearance that the shader finds at the middle of every pixel.
 fn clearances(frame: &Frame, obstacles: &[Obstacle], width: u32, height: u32) -> Picture<f32> {
     let screen = Offscreen::new();
-    let format = eframe::wgpu::TextureFormat::R32Float;
+    let format = TextureFormat::R32Float;
     let mut pass = FieldPass::new(&screen.device, format, FieldOutput::Clearance);
     let picture = FieldPicture::new(frame.window, frame, obstacles, Theme::Light);
     let index = pass.prepare(&screen.device, &screen.queue, &picture, 1.0);
@@ -199,15 +206,19 @@ fn field_image(
     theme: Theme,
     background: [u8; 4],
 ) -> Picture<[u8; 4]> {
-    let format = eframe::wgpu::TextureFormat::Rgba8Unorm;
-    let mut pass = FieldPass::new(&screen.device, format, FieldOutput::Picture);
+    let mut pass = FieldPass::new(&screen.device, STORED, FieldOutput::Picture);
     let picture = FieldPicture::new(frame.window, frame, obstacles, theme);
     let index = pass.prepare(&screen.device, &screen.queue, &picture, 1.0);
     pass.prepared();
     let size = frame.window.size();
-    screen.image(size.x as u32, size.y as u32, background, |target| {
-        pass.paint(index, target);
-    })
+    screen.image(
+        STORED,
+        [size.x as u32, size.y as u32],
+        background,
+        |target| {
+            pass.paint(index, target);
+        },
+    )
 }
 
 #[test]
@@ -235,17 +246,17 @@ fn pictures_of_the_field() {
 fn solid_image(
     screen: &Offscreen,
     picture: &SolidPicture,
+    format: TextureFormat,
     [width, height]: [u32; 2],
     samples: u32,
 ) -> Picture<[u8; 4]> {
-    let format = eframe::wgpu::TextureFormat::Rgba8Unorm;
     let mut pass = SolidPass::new(&screen.device, format, samples);
     let mut encoder = screen.device.create_command_encoder(&Default::default());
     let place = [[0.0; 2], [width as f32, height as f32]];
     let index = pass.prepare(&screen.device, &screen.queue, &mut encoder, picture, place);
     pass.prepared();
     screen.queue.submit([encoder.finish()]);
-    screen.image(width, height, [255, 0, 255, 255], |target| {
+    screen.image(format, [width, height], [255, 0, 255, 255], |target| {
         pass.paint(index, target);
     })
 }
@@ -268,8 +279,288 @@ fn pictures_of_the_robot() {
     for (name, text) in [("two-discs", TWO_DISCS), ("shapes", SHAPES)] {
         for (theme, word) in [(Theme::Light, "light"), (Theme::Dark, "dark")] {
             let picture = solids(text, theme, 1.1);
-            let image = solid_image(&screen, &picture, [1100, 1000], 4);
+            let image = solid_image(&screen, &picture, STORED, [1100, 1000], 4);
             image.save(&format!("render-solid-{name}-{word}"));
+            let mut near = picture.clone();
+            near.camera.zoom(3.0);
+            near.camera.target += nalgebra::Vector3::new(0.005, 0.035, 0.0);
+            let image = solid_image(&screen, &near, STORED, [1100, 1000], 4);
+            image.save(&format!("render-solid-near-{name}-{word}"));
         }
     }
+}
+
+/// A straight robot beside a post that it does not touch.
+const POST: &str = r#"
+    version = 1
+    robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
+    actuation = { pull_mm = 0 }
+    [[obstacle]]
+    shape = "disc"
+    center_mm = [40, 90]
+    radius_mm = 12.5
+"#;
+
+/// The pixel of a point of the world, in millimetres, and the picture's colour
+/// there as red, green, blue.
+fn seen(picture: &SolidPicture, image: &Picture<[u8; 4]>, side: u32, at: [f64; 3]) -> [i32; 3] {
+    let point = 1e-3 * nalgebra::Vector3::from(at);
+    let clip = picture.camera.clip(nalgebra::Vector3::zeros(), 1.0) * point.push(1.0);
+    let half = 0.5 * f64::from(side);
+    let x = half * (1.0 + clip.x / clip.w);
+    let y = half * (1.0 - clip.y / clip.w);
+    let [red, green, blue, _] = image.at(x as u32, y as u32);
+    [red, green, blue].map(i32::from)
+}
+
+fn looking(yaw: f64, pitch: f64) -> SolidPicture {
+    let mut picture = solids(POST, Theme::Light, 1.0);
+    picture.camera.yaw = yaw;
+    picture.camera.pitch = pitch;
+    picture
+}
+
+/// From the right the post hides the backbone, from the left the backbone is
+/// before the post; with one sample a pixel too.
+#[test]
+fn what_is_in_front_hides_what_is_behind() {
+    let screen = Offscreen::new();
+    let behind = |yaw: f64, samples: u32| {
+        let picture = looking(yaw, 0.0);
+        let image = solid_image(&screen, &picture, STORED, [500, 500], samples);
+        // Of the backbone, between two disks.
+        seen(&picture, &image, 500, [0.0, 90.0, 0.0])[1]
+    };
+    let quarter = std::f64::consts::FRAC_PI_2;
+    for samples in [1, 4] {
+        let (hidden, free) = (behind(quarter, samples), behind(-quarter, samples));
+        // The post is light, the backbone dark.
+        assert!(hidden > free + 60, "{hidden} {free}");
+    }
+}
+
+/// The post's shadow falls on the board to the lower right, and the board is
+/// not drawn from behind.
+#[test]
+fn shadows_fall_away_from_the_light() {
+    let screen = Offscreen::new();
+    let picture = looking(0.0, 0.0);
+    let image = solid_image(&screen, &picture, STORED, [500, 500], 4);
+    // On the board, as far from the post's middle on either side.
+    let board = |aside: f64| {
+        let around = [-2.5, 0.0, 2.5].map(|more| {
+            let at = [40.0 + aside + more, 90.0 - 1.47 * aside + more, -15.2];
+            seen(&picture, &image, 500, at)[1]
+        });
+        around.into_iter().max().unwrap()
+    };
+    let (shade, light) = (board(11.5), board(-11.5));
+    assert!(shade + 15 < light, "{shade} {light}");
+    let back = looking(std::f64::consts::PI, 0.0);
+    let image = solid_image(&screen, &back, STORED, [500, 500], 4);
+    let [node, beside] = [0.0, 4.0].map(|x| seen(&back, &image, 500, [x, 90.0, 0.0])[1]);
+    assert!(node + 60 < beside, "{node} {beside}");
+}
+
+/// Pixels of the contacts' colours: much red, little blue.
+fn warm(image: &Picture<[u8; 4]>) -> usize {
+    let warm =
+        |[red, green, blue, _]: [u8; 4]| i32::from(red) > i32::from(blue) + 60 && red >= green;
+    image.pixels().filter(|(.., pixel)| warm(*pixel)).count()
+}
+
+#[test]
+fn contacts_glow_and_grey_shapes_do_not() {
+    let screen = Offscreen::new();
+    let (scene, problem, solution) = solved(TWO_DISCS);
+    let sizes = RobotSizes::of(&scene.robot);
+    for theme in [Theme::Light, Theme::Dark] {
+        let certified = solids(TWO_DISCS, theme, 1.0);
+        let image = solid_image(&screen, &certified, STORED, [500, 500], 4);
+        let glowing = warm(&image);
+        assert!(glowing > 800, "{glowing}");
+        let contact = &solution.contacts[0];
+        let node = solution.nodes[contact.node];
+        // On the pressing disk's rim towards the viewer.
+        let rim = 1e3 * node.position;
+        let found = seen(&certified, &image, 500, [rim.x, rim.y, 8.0]);
+        assert!(found[0] > found[2] + 60, "{found:?}");
+        let greyed = Standing::Greyed {
+            what: "Unfinished",
+            reason: String::new(),
+        };
+        let mesh = render::mesh(&problem, &solution, &sizes, theme, &greyed);
+        let grey = SolidPicture {
+            mesh: Arc::new(mesh),
+            ..certified
+        };
+        let image = solid_image(&screen, &grey, STORED, [500, 500], 4);
+        assert_eq!(warm(&image), 0);
+    }
+}
+
+/// A window that turns light into sRGB shows the same picture as one that
+/// takes sRGB.
+#[test]
+fn pictures_do_not_depend_on_the_window_s_format() {
+    let screen = Offscreen::new();
+    let picture = solids(SHAPES, Theme::Dark, 1.5);
+    let [stored, encoded] =
+        [STORED, ENCODED].map(|format| solid_image(&screen, &picture, format, [300, 200], 4));
+    for ((x, y, a), (.., b)) in stored.pixels().zip(encoded.pixels()) {
+        let off = a.iter().zip(b).map(|(a, b)| a.abs_diff(b)).max();
+        assert!(off <= Some(1), "{a:?} {b:?} at {x}, {y}");
+    }
+}
+
+// --- In the window -----------------------------------------------------
+
+/// Two views in space and a field, side by side.
+struct Views {
+    installed: bool,
+}
+
+impl eframe::App for Views {
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        let theme = Theme::Light;
+        let left = solids(TWO_DISCS, theme, 1.0);
+        let right = solids(SHAPES, theme, 1.0);
+        let (_, problem, _) = solved(SHAPES);
+        let square = |i: usize| {
+            let corner = egui::pos2(10.0 + 110.0 * i as f32, 10.0);
+            egui::Rect::from_min_size(corner, egui::vec2(100.0, 100.0))
+        };
+        let frame = Frame {
+            window: Bounds {
+                least: Vector::new(230.0, 10.0),
+                most: Vector::new(330.0, 110.0),
+            },
+            scale: 400.0,
+            middle: Vector::new(0.03, 0.09),
+        };
+        let painter = ui.painter();
+        painter.add(render::solid_callback(
+            square(0),
+            left.mesh,
+            left.camera,
+            theme,
+        ));
+        painter.add(render::solid_callback(
+            square(1),
+            right.mesh,
+            right.camera,
+            theme,
+        ));
+        let field = render::field_callback(square(2), &frame, problem.obstacles(), theme);
+        painter.add(field);
+    }
+}
+
+fn views(installed: bool) -> image::RgbaImage {
+    let mut harness = egui_kittest::Harness::builder()
+        .with_size(egui::vec2(340.0, 120.0))
+        .with_pixels_per_point(1.5)
+        .with_theme(egui::Theme::Light)
+        .wgpu()
+        .build_eframe(|cc| {
+            if let Some(state) = cc.wgpu_render_state.as_ref().filter(|_| installed) {
+                render::install(state);
+            }
+            Views { installed }
+        });
+    harness.run();
+    assert_eq!(harness.state().installed, installed);
+    harness.render().unwrap()
+}
+
+#[test]
+fn the_window_shows_every_view_in_its_place() {
+    let image = views(true);
+    let screen = Offscreen::new();
+    for (i, text) in [TWO_DISCS, SHAPES].into_iter().enumerate() {
+        let picture = solids(text, Theme::Light, 1.0);
+        let expected = solid_image(&screen, &picture, STORED, [150, 150], 4);
+        for (x, y, pixel) in expected.pixels() {
+            let found = image.get_pixel(15 + 165 * i as u32 + x, 15 + y).0;
+            assert_eq!(found, pixel, "view {i} at {x}, {y}");
+        }
+    }
+    let field = (0..150).flat_map(|y| (0..150).map(move |x| (345 + x, 15 + y)));
+    let bare = image.get_pixel(500, 175);
+    let drawn = field
+        .filter(|(x, y)| image.get_pixel(*x, *y) != bare)
+        .count();
+    assert!(drawn > 5000, "{drawn}");
+}
+
+#[test]
+fn without_the_passes_nothing_is_drawn() {
+    let image = views(false);
+    let bare = image.get_pixel(0, 0);
+    assert!(image.pixels().all(|pixel| pixel == bare));
+}
+
+// --- Shaders -----------------------------------------------------------
+
+/// Every shader is valid, has a Rust file of its name, and every entry point
+/// of it can be written for WebGL 2.
+#[test]
+fn every_shader_is_valid_on_every_backend() {
+    use naga::back::glsl;
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut entries = 0;
+    for file in std::fs::read_dir(root.join("shaders")).unwrap() {
+        let path = file.unwrap().path();
+        let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
+        let rust = root.join("src/render").join(format!("{name}.rs"));
+        let rust = std::fs::read_to_string(rust).unwrap_or_else(|_| panic!("{name} has no file"));
+        assert!(
+            rust.contains(&format!("/shaders/{name}.wgsl\"")),
+            "{name}.rs"
+        );
+        let text = std::fs::read_to_string(&path).unwrap();
+        let module = naga::front::wgsl::parse_str(&text)
+            .unwrap_or_else(|error| panic!("{}", error.emit_to_string(&text)));
+        // No capability beyond the least.
+        let mut validator = naga::valid::Validator::new(
+            naga::valid::ValidationFlags::all(),
+            naga::valid::Capabilities::empty(),
+        );
+        let info = validator.validate(&module).unwrap();
+        for entry in &module.entry_points {
+            let options = glsl::Options {
+                version: glsl::Version::Embedded {
+                    version: 300,
+                    is_webgl: true,
+                },
+                ..glsl::Options::default()
+            };
+            let pipeline = glsl::PipelineOptions {
+                shader_stage: entry.stage,
+                entry_point: entry.name.clone(),
+                multiview: None,
+            };
+            let mut output = String::new();
+            let policies = naga::proc::BoundsCheckPolicies::default();
+            let written =
+                glsl::Writer::new(&mut output, &module, &info, &options, &pipeline, policies);
+            written.unwrap().write().unwrap();
+            assert!(output.starts_with("#version 300 es"));
+            entries += 1;
+        }
+    }
+    assert!(entries >= 10, "{entries}");
+}
+
+/// Everything works within the least that a browser without WebGPU offers.
+#[test]
+fn the_passes_stay_within_webgl_limits() {
+    let screen = Offscreen::within(eframe::wgpu::Limits::downlevel_webgl2_defaults());
+    let picture = solids(TWO_DISCS, Theme::Light, 1.0);
+    let image = solid_image(&screen, &picture, STORED, [200, 200], 4);
+    assert!(warm(&image) > 200);
+    let (_, problem, _) = solved(SHAPES);
+    let frame = frame(Vector::new(0.03, 0.09), 0.3);
+    let image = field_image(&screen, &frame, problem.obstacles(), Theme::Dark, [0; 4]);
+    assert!(image.pixels().any(|(.., pixel)| pixel[3] > 0));
 }

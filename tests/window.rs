@@ -17,9 +17,29 @@ fn window(size: [f32; 2], theme: Theme) -> Harness<'static, Sinew> {
         .with_theme(theme)
         .wgpu()
         .build_eframe(move |cc| {
+            sinew::render::install(cc.wgpu_render_state.as_ref().unwrap());
             let backend = Box::new(Inline::to_the_end());
             Sinew::new(&cc.egui_ctx, None, backend, preferences).unwrap()
         })
+}
+
+fn shoot(window: &mut Harness<'static, Sinew>, name: &str) {
+    if let Some(folder) = std::env::var_os("SHOTS") {
+        let file = std::path::Path::new(&folder).join(name);
+        window.render().unwrap().save(file).unwrap();
+    }
+}
+
+#[test]
+fn shots() {
+    for (theme, name) in [(Theme::Light, "light"), (Theme::Dark, "dark")] {
+        let mut window = window([1440.0, 900.0], theme);
+        window.run();
+        shoot(&mut window, &format!("{name}.png"));
+        window.state_mut().state_mut().preferences.views = sinew::app::Views::Both;
+        window.run();
+        shoot(&mut window, &format!("{name}-both.png"));
+    }
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod run;
 
 pub use run::run;
 
+use super::canvas::Tool;
 use super::look::icons;
 use super::state::State;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, Popup};
@@ -38,16 +39,26 @@ pub enum Command {
     Undo,
     /// Takes the step again.
     Redo,
+    /// Adds a copy of the obstacle that is selected.
+    Duplicate,
     /// Deletes what is selected.
     Delete,
-    /// Deselects.
+    /// Gives up what is being dragged or drawn, or deselects.
     Deselect,
+    /// Takes a tool of the canvas in hand.
+    Tool(Tool),
     /// Plays or pauses.
     Play,
     /// Follows the scene anew from the straight robot.
     FromStraight,
     /// Shows everything.
     Fit,
+    /// Shows the plane alone.
+    ViewPlane,
+    /// Shows the robot in space alone.
+    ViewSpace,
+    /// Shows both, side by side.
+    ViewBoth,
     /// Shows or hides the outline.
     Outline,
     /// Shows or hides the plots.
@@ -58,12 +69,6 @@ pub enum Command {
     Grid,
     /// Shows or hides the tip's trace.
     Trace,
-    /// Shows the plane.
-    ViewPlane,
-    /// Shows the robot in space.
-    ViewSpace,
-    /// Shows both, side by side.
-    ViewBoth,
     /// Changes from light to dark or back.
     Theme,
     /// Enlarges everything.
@@ -87,6 +92,8 @@ pub enum Group {
     File,
     /// Steps and what is selected.
     Edit,
+    /// What clicks on the canvas do.
+    Tools,
     /// The pull.
     Robot,
     /// What is shown.
@@ -97,9 +104,10 @@ pub enum Group {
 
 impl Group {
     /// All groups, in the order of menus.
-    pub const ALL: [Group; 5] = [
+    pub const ALL: [Group; 6] = [
         Group::File,
         Group::Edit,
+        Group::Tools,
         Group::Robot,
         Group::View,
         Group::Help,
@@ -110,6 +118,7 @@ impl Group {
         match self {
             Group::File => "File",
             Group::Edit => "Edit",
+            Group::Tools => "Tools",
             Group::Robot => "Robot",
             Group::View => "View",
             Group::Help => "Help",
@@ -180,19 +189,26 @@ pub const ALL: &[Entry] = &[
     entry(Command::PasteLink, Group::File, "Open the link that was copied", icons::ARROW_SQUARE_OUT, ctrl_shift(Key::O)),
     entry(Command::Undo, Group::Edit, "Undo", icons::ARROW_U_UP_LEFT, ctrl(Key::Z)),
     entry(Command::Redo, Group::Edit, "Redo", icons::ARROW_U_UP_RIGHT, ctrl_shift(Key::Z)),
+    entry(Command::Duplicate, Group::Edit, "Duplicate", icons::COPY, ctrl(Key::D)),
     entry(Command::Delete, Group::Edit, "Delete", icons::TRASH, key(Key::Delete)),
-    entry(Command::Deselect, Group::Edit, "Deselect", icons::X, key(Key::Escape)),
+    entry(Command::Deselect, Group::Edit, "Give up or deselect", icons::X, key(Key::Escape)),
+    entry(Command::Tool(Tool::Select), Group::Tools, "Select and move", Tool::Select.icon(), key(Key::V)),
+    entry(Command::Tool(Tool::Disc), Group::Tools, "Add a disc", Tool::Disc.icon(), key(Key::D)),
+    entry(Command::Tool(Tool::Box), Group::Tools, "Add a box", Tool::Box.icon(), key(Key::B)),
+    entry(Command::Tool(Tool::Capsule), Group::Tools, "Add a capsule", Tool::Capsule.icon(), key(Key::K)),
+    entry(Command::Tool(Tool::Polygon), Group::Tools, "Draw a polygon", Tool::Polygon.icon(), key(Key::P)),
+    entry(Command::Tool(Tool::Wall), Group::Tools, "Add a wall", Tool::Wall.icon(), key(Key::W)),
     entry(Command::Play, Group::Robot, "Play or pause", icons::PLAY, key(Key::Space)),
     entry(Command::FromStraight, Group::Robot, "Start from straight", icons::CLOCK_COUNTER_CLOCKWISE, key(Key::R)),
     entry(Command::Fit, Group::View, "Show everything", icons::CORNERS_OUT, key(Key::F)),
+    entry(Command::ViewPlane, Group::View, "Show the plane", icons::SQUARE, key(Key::Num1)),
+    entry(Command::ViewSpace, Group::View, "Show the robot in space", icons::CUBE, key(Key::Num2)),
+    entry(Command::ViewBoth, Group::View, "Show plane and space side by side", icons::COLUMNS, key(Key::Num3)),
     entry(Command::Outline, Group::View, "Show or hide the outline", icons::LIST, ctrl(Key::B)),
     entry(Command::Dock, Group::View, "Show or hide the plots", icons::CHART_LINE, ctrl(Key::J)),
     entry(Command::Field, Group::View, "Show or hide the clearance field", icons::WAVES, key(Key::C)),
     entry(Command::Grid, Group::View, "Show or hide the grid", icons::GRID_FOUR, key(Key::G)),
     entry(Command::Trace, Group::View, "Show or hide the tip's trace", icons::PATH, key(Key::T)),
-    entry(Command::ViewPlane, Group::View, "View in the plane", icons::SQUARE, key(Key::Num1)),
-    entry(Command::ViewSpace, Group::View, "View in space", icons::CUBE, key(Key::Num2)),
-    entry(Command::ViewBoth, Group::View, "View in the plane and in space", icons::COLUMNS, key(Key::Num3)),
     entry(Command::Larger, Group::View, "Enlarge everything", icons::PLUS, ctrl(Key::Plus)),
     entry(Command::Smaller, Group::View, "Make everything smaller", icons::MINUS, ctrl(Key::Minus)),
     entry(Command::UsualSize, Group::View, "Usual size", icons::TEXT_AA, ctrl(Key::Num0)),
@@ -232,8 +248,11 @@ impl Command {
         match self {
             Command::Undo => state.history.can_undo(&state.document.scene),
             Command::Redo => state.history.can_redo(),
-            Command::Delete => state.selection.obstacle().is_some(),
-            Command::Deselect => state.selection != super::state::Selection::Nothing,
+            Command::Delete | Command::Duplicate => state.selection.obstacle().is_some(),
+            Command::Deselect => {
+                state.canvas.is_giving_up_something()
+                    || state.selection != super::state::Selection::Nothing
+            }
             _ => true,
         }
     }

@@ -153,6 +153,13 @@ impl Live {
         })
     }
 
+    /// Whether the last request has no answer yet.
+    pub fn is_waiting(&self) -> bool {
+        self.shape
+            .as_ref()
+            .is_none_or(|shape| shape.generation < self.generation)
+    }
+
     /// Whether the solver needs frames to go on.
     pub fn wants_frames(&self) -> bool {
         self.backend.wants_frames()

@@ -19,16 +19,18 @@ mod live;
 pub mod look;
 mod measured;
 mod notices;
-mod panels;
+pub mod panels;
 mod photo;
 pub mod platform;
 mod sheets;
+mod space;
 mod state;
 mod transport;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
 mod words;
 
+pub use canvas::{Hints, Tool};
 pub use commands::Command;
 pub use document::Document;
 pub use state::{Hovered, Preferences, Selection, State, Views};
@@ -130,6 +132,7 @@ impl eframe::App for Sinew {
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         let state = &mut self.state;
         let ctx = ui.ctx().clone();
+        canvas::hold_space(&ctx, state);
         // What lies over the window has the keys.
         if !state.sheets.is_open() {
             state.commands.extend(commands::pressed(&ctx));
@@ -137,7 +140,7 @@ impl eframe::App for Sinew {
         files::take_drops(state, &ctx);
         files::take_pastes(state, &ctx);
         panels::show(ui, state);
-        egui::CentralPanel::no_frame().show(ui, |ui| canvas::show(ui, state));
+        egui::CentralPanel::no_frame().show(ui, |ui| views(ui, state));
         sheets::show(&ctx, state);
         state.notices.show(&ctx);
         files::announce(ui);
@@ -171,5 +174,22 @@ fn suit(ctx: &Context, preferences: &Preferences) {
     };
     if ctx.global_style().animation_time != seconds {
         ctx.all_styles_mut(|style| style.animation_time = seconds);
+    }
+}
+
+/// The open views of the robot, in all the room there is.
+fn views(ui: &mut Ui, state: &mut State) {
+    match state.preferences.views {
+        Views::Plane => canvas::show(ui, state),
+        Views::Space => space::show(ui, state),
+        Views::Both => {
+            let width = 0.5 * ui.available_width();
+            egui::Panel::right("space")
+                .frame(egui::Frame::NONE)
+                .default_size(width)
+                .size_range(0.25 * width..=1.6 * width)
+                .show(ui, |ui| space::show(ui, state));
+            egui::CentralPanel::no_frame().show(ui, |ui| canvas::show(ui, state));
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! What every part of the window reads and changes.
 
 use super::backend::SolverBackend;
-use super::canvas::Canvas;
+use super::canvas::{Canvas, Hints};
 use super::commands::Command;
 use super::document::{Document, Settled};
 use super::files::Files;
@@ -9,9 +9,11 @@ use super::history::{Gesture, History};
 use super::live::Live;
 use super::measured::Measuring;
 use super::notices::Notices;
+use super::panels::Panels;
 use super::photo::Photos;
 use super::platform::Detached;
 use super::sheets::Sheets;
+use super::space::Space;
 use super::transport::{Transport, span_mm};
 use crate::scene::{Scene, SceneError};
 use crate::solving::StartFrom;
@@ -97,6 +99,8 @@ pub struct Preferences {
     pub zoom: f32,
     /// Whether nothing moves by itself.
     pub still: bool,
+    /// Which hints were of use already.
+    pub hints: Hints,
 }
 
 /// A change of [`Preferences::zoom`].
@@ -146,6 +150,7 @@ impl Default for Preferences {
             theme: eframe::egui::ThemePreference::System,
             zoom: 1.0,
             still: false,
+            hints: Hints::default(),
         }
     }
 }
@@ -175,6 +180,10 @@ pub struct State {
     pub hovering: Hovered,
     /// The canvas: where it looks and what is being dragged on it.
     pub canvas: Canvas,
+    /// The view in space.
+    pub space: Space,
+    /// What the panels keep from frame to frame.
+    pub panels: Panels,
     /// The pull over time.
     pub transport: Transport,
     /// The user's choices.
@@ -211,6 +220,8 @@ impl State {
             hovered: Hovered::Nothing,
             hovering: Hovered::Nothing,
             canvas: Canvas::default(),
+            space: Space::default(),
+            panels: Panels::default(),
             transport: Transport::default(),
             preferences,
             refusal: None,
@@ -233,6 +244,7 @@ impl State {
         self.selection = Selection::Nothing;
         self.transport.stop();
         self.canvas.fit_soon();
+        self.space.fit_soon();
         self.restart();
         Ok(())
     }
@@ -262,11 +274,6 @@ impl State {
             Settled::Unchanged => {}
             Settled::Changed => {
                 self.refusal = None;
-                if let Selection::Obstacle(index) = self.selection
-                    && index >= self.document.scene.obstacles.len()
-                {
-                    self.selection = Selection::Nothing;
-                }
                 self.ask(StartFrom::Last);
                 self.redraw();
                 ctx.request_repaint();
@@ -277,8 +284,20 @@ impl State {
                 ctx.request_repaint();
             }
         }
+        let count = self.document.scene.obstacles.len();
+        if self
+            .selection
+            .obstacle()
+            .is_some_and(|index| index >= count)
+        {
+            self.selection = Selection::Nothing;
+        }
         let gesture = self.gesture(ctx);
         self.history.observe(&self.document.scene, gesture);
+        if self.hovering != self.hovered {
+            // Its twins light up in parts that were shown before this was known.
+            ctx.request_repaint();
+        }
         self.hovered = std::mem::take(&mut self.hovering);
     }
 

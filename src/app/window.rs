@@ -72,6 +72,9 @@ pub fn open(opening: &Opening) -> ExitCode {
         "Sinew",
         options,
         Box::new(|cc| {
+            if let Some(gpu) = &cc.wgpu_render_state {
+                crate::render::install(gpu);
+            }
             let backend = backend(&cc.egui_ctx);
             let stored = Stored::of(cc.storage);
             let window = Sinew::new(&cc.egui_ctx, scene, backend, Preferences::default());

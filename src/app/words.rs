@@ -1,57 +1,257 @@
-//! What happens to the robot, in words.
+//! What things of the scene and the solver are called on the screen. The
+//! words of files and of the command line are the library's.
 
-use crate::equilibrium::{Event, Occurrence};
-use crate::forces::part_name_at;
-use crate::model::Robot;
-use crate::scene::Scene;
+use crate::app::look::icons;
+use crate::equilibrium::{Conflict, Event, Occurrence, Solution, Status};
+use crate::model::Line;
+use crate::scene::{Obstacle, Scene, SceneError, Shape};
 use crate::units::millimetres;
 use crate::view::Quantity;
 
-/// An obstacle of a scene as people call it: its name, or its shape and its
-/// place in the list, from 1.
-pub fn obstacle(scene: &Scene, index: usize) -> String {
+/// An obstacle's name or, where it has none, its shape and its place in the
+/// list, from 1.
+pub fn obstacle(index: usize, obstacle: &Obstacle) -> String {
+    match &obstacle.name {
+        Some(name) if !name.trim().is_empty() => name.clone(),
+        _ => format!("{} {}", shape(&obstacle.shape), index + 1),
+    }
+}
+
+/// The name of a scene's obstacle; a number for one that is gone.
+pub fn obstacle_of(scene: &Scene, index: usize) -> String {
     match scene.obstacles.get(index) {
-        Some(obstacle) => match &obstacle.name {
-            Some(name) => name.clone(),
-            None => format!("{} {}", obstacle.shape.word(), index + 1),
-        },
+        Some(found) => obstacle(index, found),
         None => format!("obstacle {}", index + 1),
     }
 }
 
-/// An event with its pull, in one line.
-pub fn event(event: &Event, scene: &Scene, robot: &Robot) -> String {
+/// A shape's word.
+pub fn shape(shape: &Shape) -> &'static str {
+    match shape {
+        Shape::Disc { .. } => "Disc",
+        Shape::Wall { .. } => "Wall",
+        Shape::Box { .. } => "Box",
+        Shape::Capsule { .. } => "Capsule",
+        Shape::Polygon { .. } => "Polygon",
+    }
+}
+
+/// A shape's icon.
+pub fn shape_icon(shape: &Shape) -> &'static str {
+    match shape {
+        Shape::Disc { .. } => icons::CIRCLE,
+        Shape::Wall { .. } => icons::WALL,
+        Shape::Box { .. } => icons::SQUARE,
+        Shape::Capsule { .. } => icons::PILL,
+        Shape::Polygon { .. } => icons::POLYGON,
+    }
+}
+
+/// What a field of a scene file is called on the screen; `None` for fields
+/// that are not on it.
+fn field(path: &str) -> Option<&'static str> {
+    let key = path.rsplit('.').next().unwrap_or(path);
+    Some(match key {
+        "length_mm" => "length",
+        "segments" => "segments",
+        "segments_per_bay" => "segments per bay",
+        "cable_offset_mm" => "cable offset",
+        "disk_radius_mm" => "disk radius",
+        "disk_thickness_mm" => "disk thickness",
+        "backbone_diameter_mm" => "backbone diameter",
+        "cable_diameter_mm" => "cable diameter",
+        "base_mm[0]" => "base x",
+        "base_mm[1]" => "base y",
+        "base_angle_deg" => "base angle",
+        "pull_mm" => "pull",
+        "candidates" => "contact parts",
+        "listed" => "list of contact parts",
+        "center_mm[0]" => "centre x",
+        "center_mm[1]" => "centre y",
+        "point_mm[0]" => "point x",
+        "point_mm[1]" => "point y",
+        "size_mm" => "size",
+        "size_mm[0]" => "width",
+        "size_mm[1]" => "height",
+        "radius_mm" => "radius",
+        "corner_radius_mm" => "corner radius",
+        "rotation_deg" => "rotation",
+        "points_mm" => "polygon",
+        _ => return None,
+    })
+}
+
+/// Why an edit was taken back, in the screen's words.
+pub fn refusal(fault: &SceneError) -> String {
+    let text = fault.to_string();
+    let Some(path) = fault.field() else {
+        return sentence(&text);
+    };
+    let rest = text.strip_prefix(path).unwrap_or(&text);
+    let subject = match field(path) {
+        Some(name) => name.to_owned(),
+        None => match path.split_once(" (") {
+            // An obstacle as a whole, which carries its name.
+            Some((_, name)) => name.trim_end_matches(')').to_owned(),
+            None => path.to_owned(),
+        },
+    };
+    let words: Vec<String> = rest.split(' ').map(said).collect();
+    sentence(&format!("{subject}{}", words.join(" ")))
+}
+
+/// A word of a message, with a field's name in the place of its path.
+fn said(word: &str) -> String {
+    let bare = word.trim_end_matches([',', ';', ':']);
+    let stops = &word[bare.len()..];
+    match field(bare) {
+        Some(name) if bare.contains('.') || bare.contains('_') => format!("the {name}{stops}"),
+        _ if word == "deg" => "°".to_owned(),
+        _ => word.to_owned(),
+    }
+}
+
+/// A text with a capital at its start and a stop at its end.
+pub fn sentence(text: &str) -> String {
+    let stop = if text.ends_with('.') { "" } else { "." };
+    format!("{}{stop}", capital(text))
+}
+
+/// A text with a capital at its start.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(char::to_uppercase);
+    let first: String = first.into_iter().flatten().collect();
+    format!("{first}{}", letters.as_str())
+}
+
+/// A part of the robot where its disks are not known.
+fn part(line: Line, node: usize) -> String {
+    match line {
+        Line::Backbone => format!("backbone node {node}"),
+        Line::Cable => format!("cable node {node}"),
+        Line::RimCableSide => format!("the cable-side rim at node {node}"),
+        Line::RimFarSide => format!("the far rim at node {node}"),
+        Line::BackboneLink => format!("the backbone below node {node}"),
+        Line::CableLink => format!("the cable below node {node}"),
+        Line::Disk => format!("the disk at node {node}"),
+    }
+}
+
+/// One sentence on how a solve ended, which names obstacles by their names.
+pub fn outcome(solution: &Solution, scene: &Scene) -> String {
+    match &solution.status {
+        Status::Infeasible { conflicts } if !conflicts.is_empty() => {
+            let one = |conflict: &Conflict| {
+                let obstacle = obstacle_of(scene, conflict.obstacle);
+                format!("{} on {obstacle}", part(conflict.line, conflict.node))
+            };
+            let all: Vec<String> = conflicts.iter().map(one).collect();
+            format!(
+                "No shape near the last good one keeps clear of the obstacles; in conflict: {}.",
+                all.join(", ")
+            )
+        }
+        status => sentence(&status.reason()),
+    }
+}
+
+/// What happened, after its pull.
+pub fn event(event: &Event, scene: &Scene) -> String {
     let pull = Quantity::fixed(millimetres(event.pull), 2, "mm").text();
-    let what = match event.what {
-        Occurrence::PushedAside {
-            obstacle: index, ..
-        } => {
-            format!("pushed aside by {}", obstacle(scene, index))
+    format!("{pull}: {}", occurrence(&event.what, scene))
+}
+
+/// What happened, without its pull.
+pub fn occurrence(what: &Occurrence, scene: &Scene) -> String {
+    let text = match what {
+        Occurrence::PushedAside { obstacle, .. } => {
+            format!("{} pushes the robot aside", obstacle_of(scene, *obstacle))
         }
         Occurrence::ContactMade {
             line,
             node,
-            obstacle: index,
+            obstacle,
         } => {
-            let part = part_name_at(robot, line, node);
-            format!("{part}, begins to press on {}", obstacle(scene, index))
+            let obstacle = obstacle_of(scene, *obstacle);
+            format!("{} meets {obstacle}", part(*line, *node))
         }
         Occurrence::ContactLost {
             line,
             node,
-            obstacle: index,
+            obstacle,
         } => {
-            let part = part_name_at(robot, line, node);
-            format!("{part}, leaves {}", obstacle(scene, index))
+            let obstacle = obstacle_of(scene, *obstacle);
+            format!("{} leaves {obstacle}", part(*line, *node))
         }
         Occurrence::Jump { node, distance } => {
-            let far = Quantity::fixed(millimetres(distance), 1, "mm").text();
-            format!("the robot jumps: node {node} moves {far}")
+            let far = Quantity::fixed(millimetres(*distance), 2, "mm").text();
+            format!("the robot jumps; node {node} moves farthest, by {far}")
         }
-        Occurrence::BranchEnded { segment, .. } => {
-            format!("the branch ends at segment {segment}")
+        Occurrence::BranchEnded { reason, segment } => {
+            let status = Status::BranchEnded {
+                reason: *reason,
+                segment: *segment,
+            };
+            status.reason()
         }
-        Occurrence::StartRefused => "started from the straight robot".to_owned(),
+        Occurrence::StartRefused => {
+            "the shape before was no equilibrium; started from straight".to_owned()
+        }
     };
-    format!("{pull}: {what}")
+    sentence(&text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Robot;
+
+    fn told(change: impl FnOnce(&mut Scene)) -> String {
+        let mut scene = Scene::default();
+        let shape = Shape::Disc {
+            center_mm: [40.0, 100.0],
+            radius_mm: 5.0,
+        };
+        scene.obstacles.push(shape.into());
+        change(&mut scene);
+        let faults = crate::model::Problem::faults(&scene);
+        refusal(&faults[0])
+    }
+
+    #[test]
+    fn refusals_speak_of_what_is_on_the_screen() {
+        assert_eq!(
+            told(|scene| scene.robot.disk_radius_mm = Some(6.0)),
+            "Disk radius is 6 mm; set it to a value from the cable offset, 8, to 10000 mm."
+        );
+        assert_eq!(
+            told(|scene| scene.robot.segments = 17),
+            "Segments per bay is 2, which does not divide the segments, 17, so that no disk sits \
+             at the tip; set it to 1, or set segments to 16 or 18."
+        );
+        assert_eq!(
+            told(|scene| scene.obstacles[0].shape.move_to_mm([0.0, 0.0])),
+            "Disc covers the robot's base, which cannot move; move or shrink it until it is clear \
+             of the first disk."
+        );
+        let text = told(|scene| {
+            scene.robot = Robot {
+                base_angle_deg: 1e9,
+                ..Robot::default()
+            }
+        });
+        assert!(text.ends_with("from -36000 to 36000 °."), "{text}");
+    }
+
+    #[test]
+    fn obstacles_without_a_name_are_counted() {
+        let mut disc = Obstacle::from(Shape::Disc {
+            center_mm: [0.0, 0.0],
+            radius_mm: 1.0,
+        });
+        assert_eq!(obstacle(2, &disc), "Disc 3");
+        disc.name = Some("post".to_owned());
+        assert_eq!(obstacle(2, &disc), "post");
+    }
 }

@@ -11,6 +11,8 @@
 
 mod item;
 mod load_cell;
+#[cfg(any(feature = "app", feature = "cli"))]
+pub mod measured_csv;
 mod measured_shape;
 mod scenes;
 mod shapes;

@@ -1,6 +1,7 @@
 //! A robot's equilibria along its pull, as data, and what lies between them.
 
 use crate::equilibrium::{Class, Event, Solution, Status};
+use crate::forces::{Sweep, SweepPoint};
 use crate::geometry::Vector;
 use crate::model::{Line, PlanarNode};
 use serde::{Deserialize, Serialize};
@@ -162,6 +163,23 @@ impl Path {
     /// The pulls that have states, ends included; `None` without states.
     pub fn range(&self) -> Option<(f64, f64)> {
         Some((self.states.first()?.pull, self.states.last()?.pull))
+    }
+
+    /// The tip's part of the path as a sweep, for lines through it; `tip` is the
+    /// robot's last node.
+    pub fn tip_sweep(&self, tip: usize) -> Sweep {
+        let points = self.states.iter().map(|state| SweepPoint {
+            pull: state.pull,
+            x: state.tip.position.x,
+            y: state.tip.position.y,
+            angle: state.tip.angle,
+            energy_slope: state.energy_slope,
+            pressing: state.contacts.len(),
+        });
+        Sweep {
+            node: tip,
+            points: points.collect(),
+        }
     }
 
     /// The state at a pull: straight between its neighbours, which errs by the

@@ -2,6 +2,7 @@
 
 use crate::equilibrium::{Class, Run, Settings, Start, Status};
 use crate::model::Problem;
+use crate::solver::Chain;
 use crate::units::millimetres;
 
 /// A node of the robot at one pull.
@@ -120,6 +121,35 @@ impl Sweep {
             });
         }
         Ok(Self { node, points })
+    }
+
+    /// The path of the tip without obstacles over these pulls, in metres, those
+    /// outside the linkage's range moved to its ends: an arc at every pull, so
+    /// that nothing is solved.
+    pub fn free(problem: &Problem, pulls: &[f64]) -> Self {
+        let mut there = problem.clone();
+        let controls = there.free_controls();
+        let points = pulls.iter().map(|&pull| {
+            there.set_pull(pull);
+            let links = controls.iter().enumerate();
+            let tip = links.fold(there.base(), |node, (k, turn)| {
+                there.stage(k + 1, &node, turn).0
+            });
+            let bend = there.segment().free_bend();
+            SweepPoint {
+                pull: there.pull(),
+                x: tip.position.x,
+                y: tip.position.y,
+                angle: tip.angle,
+                // J = n β² with sin(β/2) = l/(2an).
+                energy_slope: 2.0 * bend / (there.robot().offset * (0.5 * bend).cos()),
+                pressing: 0,
+            }
+        });
+        Self {
+            points: points.collect(),
+            node: controls.len(),
+        }
     }
 
     /// `count` pulls from `first` to `last`, both included; at least two.

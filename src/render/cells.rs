@@ -23,6 +23,8 @@ use crate::view::Bounds;
 pub const WIDTH: usize = 1024;
 /// Cells along each side of the window, a power of two.
 const CELLS: usize = 32;
+/// A list this short is not worth dividing.
+const FEW: usize = 3;
 /// A disc whose centre is farther than this many half-diagonals of the window
 /// from its middle is packed by its curvature there.
 const FAR: f64 = 4.0;
@@ -69,24 +71,31 @@ struct Cells<'a> {
 impl Cells<'_> {
     /// Which of these obstacles may be nearest somewhere in an area.
     fn nearest(&self, among: &[usize], area: &Bounds) -> Vec<usize> {
-        let reach = 0.5 * area.size().norm();
-        let middle = area.centre();
-        let clearance = |index: &usize| self.obstacles[*index].clearance(middle).distance;
-        let clearances: Vec<f64> = among.iter().map(clearance).collect();
-        let least = clearances.iter().copied().fold(f64::INFINITY, f64::min);
         // A little more, for the shader's rounding.
-        let most = least + 2.001 * reach;
-        let pairs = among.iter().zip(&clearances);
-        pairs
-            .filter(|(_, clearance)| **clearance <= most)
-            .map(|(index, _)| *index)
-            .collect()
+        let slack = 2.001 * 0.5 * area.size().norm();
+        let middle = area.centre();
+        let clearance = |index: usize| self.obstacles[index].clearance(middle).distance;
+        let place = |index: &usize| (self.obstacles[*index].position() - middle).norm_squared();
+        let guess = among.iter().min_by(|a, b| place(a).total_cmp(&place(b)));
+        // Whatever is certainly farther than the nearest so far needs no exact
+        // clearance.
+        let mut least = guess.map_or(f64::INFINITY, |index| clearance(*index));
+        let mut found = Vec::new();
+        for index in among {
+            if !self.obstacles[*index].is_beyond(middle, least + slack) {
+                let clearance = clearance(*index);
+                least = least.min(clearance);
+                found.push((*index, clearance));
+            }
+        }
+        found.retain(|(_, clearance)| *clearance <= least + slack);
+        found.into_iter().map(|(index, _)| index).collect()
     }
 
     /// Fills the lists of a square of cells from those that may be nearest in
     /// it.
     fn divide(&mut self, near: &[usize], [column, row]: [usize; 2], side: usize) {
-        if side == 1 || near.len() <= 1 {
+        if side == 1 || near.len() <= FEW {
             let start = self.texels.len();
             let list: Vec<_> = near.iter().map(|index| self.entries[*index]).collect();
             self.texels.extend(list);

@@ -12,7 +12,7 @@ use eframe::wgpu;
 /// The greatest distance between contour lines, in the frame's pixels.
 const SPACING: f64 = 36.0;
 /// Over how many contour lines tint and lines fade to 1/e.
-const REACH: f64 = 2.5;
+const REACH: f64 = 3.0;
 
 /// The distance between contour lines in a frame, in metres: 1, 2 or 5 times
 /// a power of ten.
@@ -64,8 +64,8 @@ impl FieldPicture {
         let palette = theme.palette();
         let edge = theme.style(Role::Obstacle(0), &Standing::Certified).stroke;
         let (tint, line) = match theme {
-            Theme::Light => (0.10, 0.30),
-            Theme::Dark => (0.12, 0.30),
+            Theme::Light => (0.11, 0.42),
+            Theme::Dark => (0.12, 0.36),
         };
         let rgba = |colour: Colour, opacity: f64| {
             let [red, green, blue] = colour.rgb.map(|part| f32::from(part) / 255.0);

@@ -111,7 +111,7 @@ impl Triangles {
         let mut ring = |centre: Flat, direction: Flat, tilt: f32| {
             let (sine, cosine) = tilt.sin_cos();
             let centre = lifted(centre + radius * sine * direction);
-            let aside = Point::new(direction.y, -direction.x, 0.0);
+            let aside = Point::new(-direction.y, direction.x, 0.0);
             let forward = lifted(direction);
             for (x, z) in &circle {
                 let out = *x * aside + *z * Point::z();
@@ -147,7 +147,7 @@ impl Triangles {
     ) {
         let circle = circle(sides);
         let start = self.vertices.len() as u32;
-        let aside = Point::new(axis.y, -axis.x, 0.0);
+        let aside = Point::new(-axis.y, axis.x, 0.0);
         let forward = lifted(axis);
         for point in profile {
             let (sine, cosine) = point.slope.sin_cos();
@@ -179,7 +179,7 @@ impl Triangles {
     }
 
     /// Adds a convex outline drawn out along z from `back` to `front`, with a
-    /// bevelled front and no back.
+    /// bevelled front.
     pub fn prism(
         &mut self,
         outline: &[Corner],
@@ -217,9 +217,14 @@ impl Triangles {
                 }
             }
         }
+        let behind = self.vertices.len() as u32;
+        for corner in outline {
+            self.vertex(corner.position.push(back), -Point::z(), material, 1.0);
+        }
         let face = start + 3 * count;
         for i in 2..count {
             self.indices.extend([face, face + i - 1, face + i]);
+            self.indices.extend([behind, behind + i, behind + i - 1]);
         }
     }
 }
@@ -319,5 +324,132 @@ impl Mesh {
                 finish: [0; 4],
             });
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Core, Obstacle, Vector};
+    use crate::render::outline;
+    use crate::view::Bounds;
+    use std::f32::consts::PI;
+
+    pub const GREY: Material = Material {
+        colour: [128; 3],
+        emission: 0,
+        gloss: 0,
+        metal: 0,
+    };
+
+    impl Triangles {
+        fn corners(&self) -> impl Iterator<Item = [(Point, Point); 3]> + '_ {
+            let at = |i: u32| {
+                let v = &self.vertices[i as usize];
+                (Point::from(v.position), Point::from(v.normal))
+            };
+            let triples = self.indices.chunks_exact(3);
+            triples.map(move |t| [at(t[0]), at(t[1]), at(t[2])])
+        }
+
+        /// Everything is finite, normals are unit vectors, and triangles face
+        /// the way their normals point.
+        pub fn check(&self) {
+            assert!(!self.indices.is_empty() && self.indices.len() % 3 == 0);
+            for [(a, n), (b, m), (c, o)] in self.corners() {
+                for normal in [n, m, o] {
+                    assert!((normal.norm() - 1.0).abs() < 1e-5, "{normal}");
+                }
+                let area = (b - a).cross(&(c - a));
+                assert!(area.iter().all(|x| x.is_finite()));
+                let size = (b - a).norm().max((c - a).norm());
+                if area.norm() > 1e-4 * size * size {
+                    let facing = area.normalize().dot(&(n + m + o));
+                    assert!(facing > 0.5, "{a} {b} {c} face {facing}");
+                }
+            }
+        }
+
+        /// The volume inside, where the triangles enclose one.
+        pub fn volume(&self) -> f32 {
+            let parts = self.corners().map(|[a, b, c]| a.0.dot(&b.0.cross(&c.0)));
+            parts.sum::<f32>() / 6.0
+        }
+
+        /// How often a line along the unit direction passes a surface.
+        pub fn crossings(&self, from: Point, direction: Point) -> usize {
+            let crossed = |[a, b, c]: [(Point, Point); 3]| {
+                let side = |p: Point, q: Point| direction.dot(&(p - from).cross(&(q - from)));
+                let sides = [side(a.0, b.0), side(b.0, c.0), side(c.0, a.0)];
+                sides.iter().all(|s| *s > 0.0) || sides.iter().all(|s| *s < 0.0)
+            };
+            self.corners().filter(|corners| crossed(*corners)).count()
+        }
+    }
+
+    #[test]
+    fn tubes_are_closed() {
+        let path: Vec<(Flat, Flat)> = (0..=40)
+            .map(|i| {
+                let (sine, cosine) = (0.03 * i as f32).sin_cos();
+                (Flat::new(cosine, sine), Flat::new(-sine, cosine))
+            })
+            .collect();
+        let mut tube = Triangles::default();
+        tube.tube(&path, 0.05, 24, &GREY);
+        tube.check();
+        let volume = PI * 0.05f32.powi(2) * (1.2 + 4.0 / 3.0 * 0.05);
+        assert!(
+            (tube.volume() / volume - 1.0).abs() < 0.02,
+            "{}",
+            tube.volume()
+        );
+        // Every edge belongs to two triangles, except at the poles.
+        let mut edges: Vec<[u32; 2]> = Vec::new();
+        for t in tube.indices.chunks_exact(3) {
+            for [a, b] in [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]] {
+                let at = |i: u32| Point::from(tube.vertices[i as usize].position);
+                if (at(a) - at(b)).norm() > 1e-6 {
+                    edges.push([a.min(b), a.max(b)]);
+                }
+            }
+        }
+        edges.sort_unstable();
+        assert!(edges.chunk_by(|a, b| a == b).all(|same| same.len() == 2));
+    }
+
+    #[test]
+    fn prisms_are_as_large_as_their_outlines() {
+        let check = |core: Core, radius: f64, area: f32| {
+            let obstacle = Obstacle::new(core, radius, Vector::new(0.3, 0.2), 0.4);
+            let origin = Vector::new(0.3, 0.2);
+            let area_shown = Bounds::of([origin]).grown(1.0);
+            let (corners, bevel) =
+                outline::corners(&obstacle, &area_shown, origin, 1e-4, 0.1).unwrap();
+            let mut prism = Triangles::default();
+            prism.prism(&corners, [-0.2, 0.3], bevel as f32, &GREY);
+            prism.check();
+            let volume = 0.5 * area;
+            assert!(
+                (prism.volume() / volume - 1.0).abs() < 0.01,
+                "{}",
+                prism.volume()
+            );
+        };
+        check(Core::Point, 0.1, PI * 0.01);
+        check(Core::rectangle(0.2, 0.1), 0.0, 0.02);
+        check(Core::rectangle(0.2, 0.1), 0.01, 0.02 + 0.006 + PI * 1e-4);
+        check(Core::segment(0.2), 0.05, 0.02 + PI * 0.0025);
+        // The slab of a wall, on a slant.
+        check(Core::HalfPlane, 0.0, 0.1 * 2.0 / 0.4f32.cos());
+    }
+
+    #[test]
+    fn balls_are_round() {
+        let mut ball = Triangles::default();
+        ball.ball(Point::new(0.1, 0.0, 0.2), 0.3, &GREY);
+        ball.check();
+        let volume = 4.0 / 3.0 * PI * 0.027;
+        assert!((ball.volume() / volume - 1.0).abs() < 0.05);
     }
 }

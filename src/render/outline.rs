@@ -2,7 +2,7 @@
 //! paths that flat drawings use.
 
 use super::mesh::Flat;
-use crate::geometry::{Core, Obstacle, Vector, perpendicular};
+use crate::geometry::{Core, Obstacle, Vector, cross, perpendicular};
 use crate::view::{Bounds, clip_half_plane};
 use std::f64::consts::TAU;
 
@@ -22,13 +22,15 @@ pub struct Corner {
 }
 
 /// The outline of what an area shows of an obstacle, counterclockwise and
-/// relative to an origin, and the bevel it has room for, at most `bevel`.
-/// `None` where the area shows nothing of it.
+/// relative to an origin, and the bevel it has room for, at most `bevel`. A
+/// wall ends at the area's border and is a slab of this thickness. `None` where
+/// the area shows nothing of the surface.
 pub fn corners(
     obstacle: &Obstacle,
     area: &Bounds,
     origin: Vector,
     bevel: f64,
+    thickness: f64,
 ) -> Option<(Vec<Corner>, f64)> {
     let (place, radius) = (obstacle.position(), obstacle.radius());
     let (sine, cosine) = obstacle.angle().sin_cos();
@@ -37,12 +39,9 @@ pub fn corners(
         Core::HalfPlane => {
             let normal = Vector::new(cosine, sine);
             let point = place + radius * normal;
-            let mut shown = clip_half_plane(point, normal, &area.corners()).area;
-            shown.dedup_by(|a, b| (*a - *b).norm() < 1e-12);
-            if shown.len() < 3 {
-                return None;
-            }
-            return Some(grown(&shown, 0.0, origin, bevel));
+            let [a, b] = clip_half_plane(point, normal, &area.corners()).surface?;
+            let slab = slab([a, b], normal, thickness);
+            return Some(grown(&slab, 0.0, origin, bevel));
         }
         Core::Point => vec![place],
         Core::Vertices(local) => local.iter().map(|v| place + turned(*v)).collect(),
@@ -52,6 +51,19 @@ pub fn corners(
         return None;
     }
     Some(grown(&vertices, radius, origin, bevel))
+}
+
+/// What stands for a wall: its surface and the corners behind it,
+/// counterclockwise.
+fn slab([a, b]: [Vector; 2], normal: Vector, thickness: f64) -> [Vector; 4] {
+    // Along the surface with the free side on the right.
+    let (a, b) = if cross(b - a, normal) < 0.0 {
+        (a, b)
+    } else {
+        (b, a)
+    };
+    let behind = -thickness * normal;
+    [a, b, b + behind, a + behind]
 }
 
 /// A convex polygon, a segment or a point grown by a radius.

@@ -192,22 +192,51 @@ impl Plate {
     fn sector(&self, face: f32, slices: u32) -> Vec<(Flat, Flat)> {
         const SIDE: u32 = 4;
         let inner = self.middle_hole;
-        let open = self.opening(face).unwrap_or(0.0);
+        let rim = self.seen_rim(face, slices);
         let mut border: Vec<Flat> = Vec::new();
-        border.extend(arc(open, SECTOR, slices).map(|angle| at(face, angle)));
+        border.extend(rim.iter().map(|angle| at(face, *angle)));
         let side = |i: u32| face + (inner - face) * i as f32 / SIDE as f32;
         border.extend((1..SIDE).map(|i| at(side(i), SECTOR)));
         border.extend(arc(SECTOR, -SECTOR, slices / 2).map(|angle| at(inner, angle)));
         border.extend((1..SIDE).rev().map(|i| at(side(i), -SECTOR)));
-        border.extend(arc(-SECTOR, -open, slices).map(|angle| at(face, angle)));
+        border.extend(rim.iter().rev().map(|angle| at(face, -*angle)));
         let centre = Flat::new(self.offset, 0.0);
         border
             .into_iter()
             .map(|point| {
-                let away = point - centre;
-                (centre + self.cable_hole * away.normalize(), point)
+                let direction = (point - centre).normalize();
+                // Where the hole's edge is outside the face, the face begins
+                // where the line enters it.
+                let middle = -centre.dot(&direction);
+                let chord = face * face - centre.norm_squared() + middle * middle;
+                let entry = middle - chord.max(0.0).sqrt();
+                let from = self.cable_hole.max(entry).min((point - centre).norm());
+                (centre + from * direction, point)
             })
             .collect()
+    }
+
+    /// The angles of the rim, up to the sector's side, that can be seen from
+    /// the middle of the cable's hole through the face.
+    fn seen_rim(&self, face: f32, slices: u32) -> Vec<f32> {
+        let Some(open) = self.opening(face) else {
+            return arc(0.0, SECTOR, slices).collect();
+        };
+        if self.offset <= face {
+            return arc(open, SECTOR, slices).collect();
+        }
+        // From outside the rim the near side is where lines enter: what is
+        // seen begins where one touches it.
+        let touching = (face / self.offset).acos();
+        // The line over the notch's corner leaves the face as far behind its
+        // foot from the middle as it enters before it.
+        let centre = Flat::new(self.offset, 0.0);
+        let along = (at(face, open) - centre).normalize();
+        let foot = centre - centre.dot(&along) * along;
+        let corner = (2.0 * foot.y.atan2(foot.x) - open).min(SECTOR);
+        let mut angles: Vec<f32> = arc(touching, corner, 8 * slices).collect();
+        angles.extend(arc(corner, SECTOR, slices).skip(1));
+        angles
     }
 }
 
@@ -228,4 +257,84 @@ fn arc(from: f32, to: f32, slices: u32) -> impl DoubleEndedIterator<Item = f32> 
         .ceil()
         .max(1.0);
     (0..=steps as i32).map(move |i| from + (to - from) * i as f32 / steps)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GREY: Material = Material {
+        colour: [128; 3],
+        emission: 0,
+        gloss: 0,
+        metal: 0,
+    };
+
+    const HOLED: Plate = Plate {
+        rim: 1.0,
+        thickness: 0.2,
+        middle_hole: 0.15,
+        offset: 0.7,
+        cable_hole: 0.1,
+    };
+
+    /// The cable at the rim, as where a scene gives none.
+    const NOTCHED: Plate = Plate {
+        offset: 1.0,
+        ..HOLED
+    };
+
+    fn solid(plate: &Plate) -> Triangles {
+        let mut mesh = Triangles::default();
+        Template::new(plate, 96).add(&mut mesh, Flat::new(3.0, 2.0), Flat::new(0.6, 0.8), &GREY);
+        mesh
+    }
+
+    /// How often a line along the backbone crosses the plate, at a place in
+    /// the plate's own x (towards the cable) and z.
+    fn crossings(mesh: &Triangles, x: f32, z: f32) -> usize {
+        let from = Point::new(3.0 + 0.6 * x, 2.0 + 0.8 * x, z);
+        mesh.crossings(from, Point::new(-0.8, 0.6, 0.0))
+    }
+
+    #[test]
+    fn plates_have_holes() {
+        for plate in [HOLED, NOTCHED] {
+            let mesh = solid(&plate);
+            mesh.check();
+            for i in 0..60 {
+                let angle = 0.1 + i as f32 * 0.1047;
+                let around = |x: f32, radius: f32| {
+                    let point = at(radius, angle);
+                    crossings(&mesh, x + point.x, point.y)
+                };
+                // Off the edges by more than what chords cut off.
+                assert_eq!(around(0.0, 0.14), 0, "through the backbone's hole");
+                assert_eq!(around(0.0, 0.16), 2, "beside the backbone's hole");
+                assert_eq!(around(plate.offset, 0.09), 0, "through the cable's hole");
+                assert_eq!(around(0.0, 1.01), 0, "beyond the rim");
+                let beside = at(0.11, angle) + Flat::new(plate.offset, 0.0);
+                let inside = beside.norm() < 0.9;
+                if inside {
+                    assert_eq!(around(plate.offset, 0.11), 2, "beside the cable's hole");
+                }
+                let far = at(0.93, angle);
+                if (far - Flat::new(plate.offset, 0.0)).norm() > 0.11 {
+                    assert_eq!(around(0.0, 0.93), 2, "inside the rim at {angle}");
+                }
+            }
+        }
+    }
+
+    /// Closed all round: the volume is the disc's less the holes', within what
+    /// the bevel takes.
+    #[test]
+    fn plates_have_the_volume_of_plates() {
+        let volume = PI * (1.0 - 0.15f32.powi(2) - 0.1f32.powi(2)) * 0.2;
+        let found = solid(&HOLED).volume();
+        assert!(
+            (0.97..1.0).contains(&(found / volume)),
+            "{found} of {volume}"
+        );
+    }
 }

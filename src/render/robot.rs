@@ -17,7 +17,11 @@ use std::f32::consts::FRAC_PI_2;
 /// Length of the longest arrow, over the backbone's length.
 const ARROW: f64 = 0.16;
 /// How far around the robot obstacles are shown, over the backbone's length.
-const SURROUNDINGS: f64 = 0.35;
+const SURROUNDINGS: f64 = 0.6;
+/// How far around it a picture reaches at most.
+const NEAR: f64 = 0.22;
+/// How thick a wall is drawn.
+const WALL: f64 = 0.05;
 
 /// How thick the parts of the robot are, in metres. A scene may leave them at
 /// zero; then they are as thin as can still be seen.
@@ -78,12 +82,19 @@ impl Materials {
             gloss,
             metal,
         };
+        let quiet = theme.style(Role::Obstacle(0), standing);
+        let obstacle = match theme {
+            Theme::Light => quiet.fill,
+            // By night the fill is as dark as the shadows.
+            Theme::Dark => quiet.stroke,
+        };
+        let obstacle = obstacle.map_or([128; 3], |c| c.rgb);
         Self {
             backbone: made(stroke(Role::Backbone), 210, 90),
             disk: made(stroke(Role::Disk), 120, 40),
             cable: made(stroke(Role::Cable), 150, 0),
             base: made(stroke(Role::Base), 110, 60),
-            obstacle: made(stroke(Role::Obstacle(0)), 60, 0),
+            obstacle: made(obstacle, 70, 0),
         }
     }
 }
@@ -101,6 +112,7 @@ pub fn mesh(
     let length = problem.length();
     let robot = Bounds::of(solution.backbone().chain([base])).grown(sizes.rim);
     let around = robot.grown(SURROUNDINGS * length);
+    let near = robot.grown(NEAR * length);
     // How deep the scene is, told by the disks.
     let depth = sizes.rim.max(0.02 * length);
     let board = -1.9 * depth;
@@ -129,10 +141,17 @@ pub fn mesh(
     let mut shown = robot;
     for obstacle in problem.obstacles() {
         let bevel = 0.006 * length;
-        let outline = outline::corners(obstacle, &around, origin, bevel);
+        let area = match obstacle.core() {
+            Core::HalfPlane => &near,
+            _ => &around,
+        };
+        let outline = outline::corners(obstacle, area, origin, bevel, WALL * length);
         if let Some((corners, bevel)) = outline {
             solids.prism(&corners, span, bevel as f32, &materials.obstacle);
-            shown = shown.and(extent(&corners, origin).within(around));
+            let seen = extent(&corners, origin).within(near);
+            if !seen.is_empty() {
+                shown = shown.and(seen);
+            }
         }
     }
     if let [first, next, ..] = nodes {
@@ -140,7 +159,7 @@ pub fn mesh(
         let reach = 10.0 * (block.reach + length);
         let everywhere = Bounds::of([base]).grown(reach);
         if let Some((corners, bevel)) =
-            outline::corners(&block.obstacle, &everywhere, origin, 0.004 * length)
+            outline::corners(&block.obstacle, &everywhere, origin, 0.004 * length, 0.0)
         {
             solids.prism(&corners, span, bevel as f32, &materials.base);
             shown = shown.and(extent(&corners, origin));
@@ -163,10 +182,17 @@ pub fn mesh(
             Flat::new(normal.x as f32, normal.y as f32)
         });
         let steps = (160 / n).clamp(2, 8);
-        let smooth = smooth(&backbone, ends, steps);
-        solids.tube(&smooth, sizes.backbone as f32, 18, &materials.backbone);
-        let cable: Vec<Flat> = solution.cable(problem.robot().offset).map(flat).collect();
-        let cable = smooth_line(&cable);
+        // Both run on into the base, and the backbone through the last disk.
+        let into = sizes.rim as f32;
+        let over = 0.55 * sizes.disk as f32;
+        let mut line = smooth(&backbone, ends, steps);
+        line.insert(0, (line[0].0 - into * ends[0], ends[0]));
+        line.push((backbone[n - 1] + over * ends[1], ends[1]));
+        solids.tube(&line, sizes.backbone as f32, 18, &materials.backbone);
+        let cable = solution.cable(problem.robot().offset).map(flat);
+        let mut cable = straight(&cable.collect::<Vec<_>>());
+        cable.insert(0, (cable[0].0 - into * ends[0], ends[0]));
+        cable.push((cable[n].0 + over * ends[1], ends[1]));
         solids.tube(&cable, sizes.cable as f32, 12, &materials.cable);
     }
     let mut overlay = Triangles::default();
@@ -228,7 +254,7 @@ pub fn mesh(
 fn glowing(colour: Colour, share: f64) -> Material {
     Material {
         colour: colour.rgb,
-        emission: (70.0 + 110.0 * share) as u8,
+        emission: (60.0 + 80.0 * share) as u8,
         gloss: 90,
         metal: 0,
     }
@@ -320,7 +346,7 @@ fn smooth(points: &[Flat], ends: [Flat; 2], steps: usize) -> Vec<(Flat, Flat)> {
 
 /// The straight pieces between points with the unit directions of their
 /// corners.
-fn smooth_line(points: &[Flat]) -> Vec<(Flat, Flat)> {
+fn straight(points: &[Flat]) -> Vec<(Flat, Flat)> {
     let last = points.len() - 1;
     let direction = |i: usize| points[(i + 1).min(last)] - points[i.saturating_sub(1)];
     (0..=last)
@@ -363,4 +389,107 @@ fn add_arrow(
     ];
     let axis = Flat::new(contact.normal.x as f32, contact.normal.y as f32);
     overlay.turned(tail, axis, &profile, 24, material);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equilibrium::{Settings, Start, solve};
+    use crate::scene::Scene;
+
+    const TWO_DISCS: &str = include_str!("../../assets/scenes/two-discs.toml");
+
+    fn greyed() -> Standing {
+        Standing::Greyed {
+            what: "Unfinished",
+            reason: String::new(),
+        }
+    }
+
+    fn built(edit: impl Fn(&mut Scene), theme: Theme, standing: &Standing) -> (Solution, Mesh) {
+        let mut scene = Scene::from_toml(TWO_DISCS).unwrap();
+        edit(&mut scene);
+        let problem = Problem::new(&scene).unwrap();
+        let solution = solve(&problem, Start::Straight, Settings::default());
+        let sizes = RobotSizes::of(&scene.robot);
+        let mesh = mesh(&problem, &solution, &sizes, theme, standing);
+        (solution, mesh)
+    }
+
+    #[test]
+    fn every_corner_can_be_drawn() {
+        let (_, mesh) = built(|_| (), Theme::Light, &Standing::Certified);
+        mesh.solids.check();
+        mesh.overlay.check();
+        assert_eq!(mesh.glows.len(), 12);
+        let box3 = &mesh.focus;
+        assert!(box3.least.x < 0.0 && box3.most.y > 0.17, "{box3:?}");
+    }
+
+    /// Far from the world's origin nothing loses its digits.
+    #[test]
+    fn a_robot_elsewhere_is_the_same_robot() {
+        let elsewhere = |scene: &mut Scene| {
+            scene.robot.base_mm = [1e5, -2e5];
+            for obstacle in &mut scene.obstacles {
+                if let scene::Shape::Disc { center_mm, .. } = &mut obstacle.shape {
+                    center_mm[0] += 1e5;
+                    center_mm[1] -= 2e5;
+                }
+            }
+        };
+        let (_, here) = built(|_| (), Theme::Light, &Standing::Certified);
+        let (_, there) = built(elsewhere, Theme::Light, &Standing::Certified);
+        assert_eq!(here.solids.indices, there.solids.indices);
+        for (a, b) in here.solids.vertices.iter().zip(&there.solids.vertices) {
+            let off = Point::from(a.position) - Point::from(b.position);
+            assert!(off.norm() < 1e-7, "{off}");
+        }
+    }
+
+    /// The disks at the two contacts have the contacts' colours; of a shape
+    /// that is not believed nothing shines.
+    #[test]
+    fn pressing_disks_shine() {
+        for theme in [Theme::Light, Theme::Dark] {
+            let (solution, mesh) = built(|_| (), theme, &Standing::Certified);
+            let most = solution.contacts.iter().map(|c| c.multiplier);
+            let most = most.fold(0.0, f64::max);
+            for contact in &solution.contacts {
+                let [red, green, blue] = theme.contact(contact.multiplier / most).rgb;
+                let node = &solution.nodes[contact.node];
+                let centre = node.position - mesh.origin.xy();
+                let shining: Vec<&_> = mesh
+                    .solids
+                    .vertices
+                    .iter()
+                    .filter(|v| v.finish[0] > 50 && v.colour == [red, green, blue, 255])
+                    .collect();
+                assert!(shining.len() > 100, "{} corners", shining.len());
+                for v in shining {
+                    let away = Vector::new(f64::from(v.position[0]), f64::from(v.position[1]));
+                    assert!((away - centre).norm() < 0.009);
+                }
+            }
+            let (_, mesh) = built(|_| (), theme, &greyed());
+            let all = mesh.solids.vertices.iter().chain(&mesh.overlay.vertices);
+            assert!(mesh.glows.is_empty() && all.into_iter().all(|v| v.finish[0] == 0));
+        }
+    }
+
+    #[test]
+    fn a_solution_without_nodes_shows_the_obstacles() {
+        let scene = Scene::from_toml(TWO_DISCS).unwrap();
+        let problem = Problem::new(&scene).unwrap();
+        let sizes = RobotSizes::of(&scene.robot);
+        let mesh = mesh(
+            &problem,
+            &Solution::default(),
+            &sizes,
+            Theme::Dark,
+            &greyed(),
+        );
+        mesh.solids.check();
+        assert!(!mesh.solids.indices.is_empty() && !mesh.focus.is_empty());
+    }
 }

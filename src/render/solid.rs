@@ -18,7 +18,7 @@ const SHADOWS: u32 = 1536;
 /// The direction towards the key light: from the upper left, in front.
 const KEY: Vector3<f64> = Vector3::new(-0.42, 0.62, 0.66);
 /// How far the board reaches, over the size of what stands before it.
-const BOARD: f64 = 1.6;
+const BOARD: f64 = 1.3;
 
 /// A picture of the robot in space as plain data.
 #[derive(Clone, Debug)]
@@ -57,9 +57,9 @@ impl SolidPicture {
         let four = |v: Vector3<f64>, w: f64| [v.x as f32, v.y as f32, v.z as f32, w as f32];
         let palette = self.theme.palette();
         let light = |colour: Colour| Vector3::from(colour.rgb.map(linear));
-        let (sky, ground, shadow, glow, grid, lines) = match self.theme {
-            Theme::Light => (0.50, 0.30, 0.30, 0.85, palette.quiet, 0.30),
-            Theme::Dark => (0.52, 0.20, 0.62, 0.90, palette.quiet, 0.17),
+        let (sky, ground, shadow, glow, covers, lines) = match self.theme {
+            Theme::Light => (0.50, 0.30, 0.30, 0.80, 0.75, 0.22),
+            Theme::Dark => (0.52, 0.20, 0.60, 0.40, 0.15, 0.10),
         };
         let focus = mesh.focus.centre() - mesh.origin;
         let size = mesh.focus.size().norm();
@@ -73,10 +73,10 @@ impl SolidPicture {
             right: four(right, 0.0),
             up: four(up, 0.0),
             key: four(KEY.normalize(), shadow),
-            sky: four(sky * Vector3::new(0.96, 0.99, 1.06), 0.0),
+            sky: four(sky * Vector3::new(0.96, 0.99, 1.06), covers),
             ground: four(ground * Vector3::new(1.04, 1.0, 0.95), 0.0),
             background: four(light(palette.background), glow),
-            grid: four(light(grid), lines),
+            grid: four(light(palette.quiet), lines),
             board: four(
                 Vector3::new(focus.x, focus.y, mesh.board - mesh.origin.z),
                 BOARD * size,
@@ -236,7 +236,7 @@ impl SolidPass {
                 &corners,
                 depth(Depth::Unread),
             ),
-            overlay: pipeline("vs_overlay", "fs_solid", None, &corners, front),
+            overlay: pipeline("vs_overlay", "fs_overlay", None, &corners, front),
             sampler: device.create_sampler(&wgpu::SamplerDescriptor {
                 label: Some("shadows"),
                 mag_filter: wgpu::FilterMode::Linear,

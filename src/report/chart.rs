@@ -50,6 +50,22 @@ pub struct ChartError {
     pub reason: String,
 }
 
+/// The text with what HTML would read as markup written out.
+pub fn escaped(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => safe.push_str("&amp;"),
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '"' => safe.push_str("&quot;"),
+            '\'' => safe.push_str("&#39;"),
+            other => safe.push(other),
+        }
+    }
+    safe
+}
+
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Plane<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 type Drawn = Result<(), Box<dyn std::error::Error + Send + Sync>>;
@@ -75,7 +91,7 @@ pub fn svg(chart: &Chart) -> Result<String, ChartError> {
         WIDTH * FINE,
         HEIGHT * FINE
     );
-    let label = super::page::escaped(&chart.title);
+    let label = escaped(&chart.title);
     let to =
         format!("<svg width=\"{WIDTH}\" height=\"{HEIGHT}\" role=\"img\" aria-label=\"{label}\"");
     Ok(text.replacen(&from, &to, 1))
@@ -89,6 +105,23 @@ pub fn svg_file(chart: &Chart) -> Result<String, ChartError> {
     let text = svg(chart)?;
     let style = format!(">\n<style>{STYLE}</style>");
     Ok(text.replacen('>', &style, 1))
+}
+
+/// Charts below each other as the contents of one file.
+///
+/// # Errors
+/// Those of [`svg()`].
+pub fn svg_column(charts: &[Chart]) -> Result<String, ChartError> {
+    let mut text = String::new();
+    for (row, chart) in charts.iter().enumerate() {
+        let y = row as u32 * HEIGHT;
+        text += &svg(chart)?.replacen("<svg ", &format!("<svg y=\"{y}\" "), 1);
+    }
+    let height = HEIGHT * charts.len() as u32;
+    Ok(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" \
+         viewBox=\"0 0 {WIDTH} {height}\">\n<style>{STYLE}</style>{text}</svg>\n"
+    ))
 }
 
 fn draw(chart: &Chart, root: &Area<'_>) -> Drawn {

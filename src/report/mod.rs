@@ -1,7 +1,7 @@
 //! Results as files' contents: drawings as SVG text and, with the
 //! features that need them, as PNG, charts and pages. It writes no files.
 
-#[cfg(feature = "cli")]
+#[cfg(any(feature = "app", feature = "cli"))]
 pub mod chart;
 #[cfg(feature = "cli")]
 pub mod page;

@@ -1,7 +1,7 @@
 //! Reproduced items as one HTML page that needs nothing else: styles and
 //! figures are inside. It reads on a phone, by day and night, and in print.
 
-use super::chart::{self, ChartError};
+use super::chart::{self, ChartError, escaped};
 use crate::experiments::{Check, Item, Verdict, shown};
 use std::fmt::Write;
 
@@ -11,22 +11,6 @@ pub struct Figure {
     pub title: String,
     /// An element, such as an image.
     pub element: String,
-}
-
-/// The text with what HTML would read as markup written out.
-pub fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&#39;"),
-            other => safe.push(other),
-        }
-    }
-    safe
 }
 
 /// An image element that holds an SVG picture itself.

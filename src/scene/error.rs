@@ -201,6 +201,33 @@ pub enum SceneError {
 }
 
 impl SceneError {
+    /// The field that is at fault, such as `obstacle[1].radius_mm`; `None`
+    /// where it is the file as a whole.
+    pub fn field(&self) -> Option<&str> {
+        match self {
+            SceneError::Empty
+            | SceneError::NotText { .. }
+            | SceneError::TooLarge { .. }
+            | SceneError::NotToml { .. }
+            | SceneError::TooDeep
+            | SceneError::NotAScene { .. }
+            | SceneError::NotWritable { .. } => None,
+            SceneError::Version { .. } => Some("version"),
+            SceneError::UnknownKey { path: field, .. }
+            | SceneError::UnknownWord { path: field, .. }
+            | SceneError::MissingKey { path: field, .. }
+            | SceneError::WrongType { path: field, .. }
+            | SceneError::NotANumber { field, .. }
+            | SceneError::OutOfRange { field, .. }
+            | SceneError::TooMany { field, .. }
+            | SceneError::TooFew { field, .. }
+            | SceneError::Blank { field, .. }
+            | SceneError::Polygon { field, .. }
+            | SceneError::Conflict { field, .. }
+            | SceneError::Geometry { field, .. } => Some(field),
+        }
+    }
+
     /// The fault of `value` being outside `limits`: [`SceneError::NotANumber`]
     /// for NaN, [`SceneError::OutOfRange`] for everything else.
     pub fn outside(field: impl Into<String>, value: f64, limits: &Limits) -> SceneError {

@@ -49,6 +49,8 @@ pub use measured::{ForceReading, Measurements, Photo};
 pub use obstacle::{Obstacle, Shape};
 pub use polygon::PolygonFault;
 pub use robot::{Actuation, Robot};
+#[cfg(any(feature = "app", feature = "cli"))]
+pub(crate) use walk::quoted;
 
 /// The only version of the file format there is.
 pub const VERSION: u32 = 1;

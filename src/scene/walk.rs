@@ -191,7 +191,7 @@ fn bare_or_quoted(key: &str) -> String {
 }
 
 /// The text in quotes, on one line and cut to what a sentence can hold.
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let shortened: String = text.chars().take(40).collect();
     if shortened.len() < text.len() {
         format!("{:?}", shortened + "…")

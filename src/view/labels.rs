@@ -36,6 +36,17 @@ pub fn place_labels(
     frame: &Frame,
     measure: impl Fn(&LabelText) -> Vector,
 ) -> Vec<Placed> {
+    place_labels_beside(drawing, frame, &[], measure)
+}
+
+/// Like [`place_labels`], where some areas of the screen, in pixels, are taken
+/// by other things.
+pub fn place_labels_beside(
+    drawing: &Drawing,
+    frame: &Frame,
+    taken: &[Bounds],
+    measure: impl Fn(&LabelText) -> Vector,
+) -> Vec<Placed> {
     let ink = ink(drawing, frame);
     let mut placed: Vec<Placed> = Vec::new();
     for (index, label) in drawing.labels.iter().enumerate() {
@@ -49,9 +60,10 @@ pub fn place_labels(
             let area = area(centre);
             let apart = area.grown(0.5 * GAP);
             let in_window = area.within(frame.window.grown(-GAP)) == area;
-            let free = placed
-                .iter()
-                .all(|other| apart.within(other.area.grown(0.5 * GAP)).is_empty());
+            let others = placed.iter().map(|other| &other.area);
+            let free = others
+                .chain(taken)
+                .all(|other| apart.within(other.grown(0.5 * GAP)).is_empty());
             if !in_window || !free {
                 continue;
             }

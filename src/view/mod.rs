@@ -18,7 +18,7 @@ pub use bounds::Bounds;
 pub use draw::{Notes, draw};
 pub use drawing::{Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Role, Spot, Standing};
 pub use frame::Frame;
-pub use labels::{Placed, place_labels};
+pub use labels::{Placed, place_labels, place_labels_beside};
 pub use path::{Clipped, Outline, Path, Piece, circle, clip_half_plane, hatching, outline};
 pub use quantity::{Quantity, one_two_five};
 pub use theme::{Arrowhead, Colour, Palette, Style, Theme};

@@ -31,6 +31,15 @@ impl Quantity {
         }
     }
 
+    /// A value with one significant digit times a power of ten: how large it
+    /// is, where more would mean nothing.
+    pub fn order(value: f64, unit: &'static str) -> Self {
+        Self {
+            digits: order(value),
+            unit,
+        }
+    }
+
     /// Digits and unit in one line.
     pub fn text(&self) -> String {
         match self.unit {
@@ -62,6 +71,19 @@ fn significant(value: f64) -> String {
         return with_minus(&format!("{value:.decimals$}"));
     }
     format!("{}×10{}", with_minus(mantissa), superscript(exponent))
+}
+
+fn order(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return with_minus(&value.to_string());
+    }
+    let rounded = format!("{value:.0e}");
+    let (digit, exponent) = rounded.split_once('e').unwrap_or((&rounded, "0"));
+    format!(
+        "{}×10{}",
+        with_minus(digit),
+        superscript(exponent.parse().unwrap_or(0))
+    )
 }
 
 fn superscript(exponent: i32) -> String {
@@ -116,6 +138,16 @@ mod tests {
         assert_eq!(Quantity::fixed(-0.001, 2, "mm").text(), "0.00 mm");
         assert_eq!(Quantity::fixed(-4.9, 1, "°").text(), "−4.9°");
         assert_eq!(Quantity::fixed(-4.9, 2, "mm").text(), "−4.90 mm");
+    }
+
+    #[test]
+    fn orders_of_magnitude_have_one_digit() {
+        let check = |value, expect: &str| assert_eq!(order(value), expect);
+        check(0.0, "0");
+        check(3.4e-14, "3×10⁻¹⁴");
+        check(9.9e-10, "1×10⁻⁹");
+        check(-0.3, "−3×10⁻¹");
+        check(f64::NAN, "NaN");
     }
 
     #[test]

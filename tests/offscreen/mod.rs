@@ -1,12 +1,13 @@
 //! Renders into textures on a software adapter, and reads them back.
 
-use eframe::egui_wgpu::RendererOptions;
+use std::sync::Arc;
+
+use eframe::egui_wgpu::{RendererOptions, WgpuSetup};
 use eframe::wgpu;
 use egui_kittest::wgpu::{create_render_state, default_wgpu_setup};
 
 /// A device to render on, the one of the window's own tests.
 pub struct Offscreen {
-    pub state: eframe::egui_wgpu::RenderState,
     pub device: wgpu::Device,
     pub queue: wgpu::Queue,
 }
@@ -43,23 +44,39 @@ impl Picture<[u8; 4]> {
 
 impl Offscreen {
     pub fn new() -> Self {
-        let state = create_render_state(default_wgpu_setup(), RendererOptions::PREDICTABLE);
+        Self::of(default_wgpu_setup())
+    }
+
+    /// A device that offers no more than some limits; what goes beyond them
+    /// panics.
+    pub fn within(limits: wgpu::Limits) -> Self {
+        let mut setup = default_wgpu_setup();
+        if let WgpuSetup::CreateNew(setup) = &mut setup {
+            setup.device_descriptor = Arc::new(move |_| wgpu::DeviceDescriptor {
+                required_limits: limits.clone(),
+                ..wgpu::DeviceDescriptor::default()
+            });
+        }
+        Self::of(setup)
+    }
+
+    fn of(setup: WgpuSetup) -> Self {
+        let state = create_render_state(setup, RendererOptions::PREDICTABLE);
         Self {
             device: state.device.clone(),
             queue: state.queue.clone(),
-            state,
         }
     }
 
-    /// What is painted into a target of eight bits a channel, as it is stored.
+    /// What is painted into a target of a format of eight bits a channel, as
+    /// it is stored.
     pub fn image(
         &self,
-        width: u32,
-        height: u32,
+        format: wgpu::TextureFormat,
+        [width, height]: [u32; 2],
         background: [u8; 4],
         paint: impl FnOnce(&mut wgpu::RenderPass<'_>),
     ) -> Picture<[u8; 4]> {
-        let format = wgpu::TextureFormat::Rgba8Unorm;
         let bytes = self.painted([width, height], format, background, paint);
         Picture {
             width,

@@ -2,7 +2,7 @@
 
 use crate::geometry::Vector;
 use crate::view::{Bounds, Frame};
-use eframe::egui::{Rect, Response, Ui};
+use eframe::egui::{MouseWheelSource, Rect, Response, Ui, Vec2, vec2};
 
 /// How far one may zoom: points in a metre. A robot of a metre fills a window
 /// at about 1000.
@@ -27,14 +27,17 @@ impl Camera {
     }
 
     /// Looks through a window on the screen; the first time, or when asked to,
-    /// at all of `bounds`.
-    pub fn place(&mut self, window: Rect, bounds: &Bounds) {
-        let inner = bounds_of(window.shrink(MARGIN));
+    /// at all of `bounds`, beside what covers the window's `left` edge.
+    pub fn place(&mut self, window: Rect, left: f32, bounds: &Bounds) {
+        let mut free = window;
+        free.min.x = (free.min.x + left).min(free.max.x);
+        let inner = bounds_of(free.shrink(MARGIN.min(0.2 * free.size().min_elem())));
         let window = bounds_of(window);
-        let fitting = Frame {
-            window,
-            ..Frame::fitting(bounds, inner)
-        };
+        let mut fitting = Frame::fitting(bounds, inner);
+        fitting.window = window;
+        // In the middle of what is free.
+        let aside = (inner.centre() - window.centre()) / fitting.scale;
+        fitting.middle -= Vector::new(aside.x, -aside.y);
         match &mut self.frame {
             Some(frame) if !self.fit => {
                 // A window that changes its size keeps the view's middle; one
@@ -84,24 +87,34 @@ impl Camera {
 
     /// Follows the wheel and pinches.
     pub fn navigate(&mut self, ui: &Ui, response: &Response) {
-        let Some(pointer) = response.hover_pos() else {
+        let (zoom, scroll, source, touch) = ui.input(|input| {
+            let scroll = input.smooth_scroll_delta();
+            let source = input.scroll_source();
+            (input.zoom_delta(), scroll, source, input.multi_touch())
+        });
+        let fingers = touch.map(|touch| touch.center_pos);
+        let fingers = fingers.filter(|at| response.interact_rect.contains(*at));
+        let Some(pointer) = fingers.or(response.hover_pos()) else {
             return;
         };
         let at = Vector::new(f64::from(pointer.x), f64::from(pointer.y));
-        let (zoom, scroll, pinch) = ui.input(|input| {
-            let pinch = input.multi_touch().map(|touch| touch.translation_delta);
-            (input.zoom_delta(), input.smooth_scroll_delta(), pinch)
-        });
-        // A wheel zooms, as in drawing programs and maps; two fingers pinch.
-        let wheel = (f64::from(scroll.y) / 240.0).exp();
-        let factor = f64::from(zoom) * wheel;
+        // Two fingers on a trackpad move the view, where they can be told from
+        // a wheel, which zooms as in drawing programs and maps.
+        let trackpad = matches!(
+            source,
+            Some(MouseWheelSource::Trackpad | MouseWheelSource::Momentum)
+        );
+        let wheel = if trackpad { 0.0 } else { f64::from(scroll.y) };
+        let factor = f64::from(zoom) * (wheel / 240.0).exp();
         if factor != 1.0 {
             self.zoom(factor, at);
         }
-        if scroll.x != 0.0 {
-            self.pan(f64::from(scroll.x), 0.0);
-        }
-        if let Some(by) = pinch {
+        let by = match touch {
+            Some(touch) => touch.translation_delta,
+            None if trackpad => scroll,
+            None => vec2(scroll.x, 0.0),
+        };
+        if by != Vec2::ZERO {
             self.pan(f64::from(by.x), f64::from(by.y));
         }
     }
@@ -123,7 +136,7 @@ mod tests {
         let mut camera = Camera::default();
         let bounds = Bounds::of([Vector::new(0.0, 0.0), Vector::new(0.2, 0.1)]);
         let window = Rect::from_min_max(pos2(100.0, 50.0), pos2(900.0, 650.0));
-        camera.place(window, &bounds);
+        camera.place(window, 0.0, &bounds);
         camera
     }
 
@@ -136,6 +149,21 @@ mod tests {
         assert!((camera.frame().to_world(at) - before).norm() < 1e-12);
         camera.zoom(f64::NAN, at);
         assert!((camera.frame().to_world(at) - before).norm() < 1e-12);
+    }
+
+    #[test]
+    fn everything_is_shown_beside_what_covers_the_edge() {
+        let mut camera = Camera::default();
+        let bounds = Bounds::of([Vector::new(0.0, 0.0), Vector::new(0.3, 0.1)]);
+        let window = Rect::from_min_max(pos2(100.0, 50.0), pos2(900.0, 650.0));
+        camera.place(window, 60.0, &bounds);
+        let [left, right] = [bounds.least, bounds.most].map(|p| camera.frame().to_screen(p));
+        // As far from the cover as from the other edge.
+        assert!((left.x - 160.0 - f64::from(MARGIN)).abs() < 1e-9, "{left}");
+        assert!(
+            (900.0 - right.x - f64::from(MARGIN)).abs() < 1e-9,
+            "{right}"
+        );
     }
 
     #[test]

@@ -1,9 +1,27 @@
 //! The canvas: the robot among its obstacles, in the plane, to be looked at
 //! and taken hold of.
 
+mod backdrop;
+mod banner;
 mod camera;
-mod overlays;
+mod chip;
+mod gesture;
+mod handles;
+mod hints;
+mod hit;
+mod hover;
+mod keys;
+mod menu;
 mod paint;
+mod place;
+mod pointer;
+mod pull;
+mod tools;
+
+pub use hints::Hints;
+pub use keys::hold_space;
+pub use place::copied;
+pub use tools::Tool;
 
 pub(super) use paint::drawing as paint_drawing;
 
@@ -11,32 +29,60 @@ use super::live::Live;
 use super::look::{Tokens, theme_of};
 use super::state::{Hovered, Selection, State};
 use crate::geometry::Vector;
-use crate::units::millimetres;
+use crate::render::field_callback;
+use crate::scene::Shape;
 use crate::view::Frame;
 use camera::Camera;
-use eframe::egui::{self, CursorIcon, PointerButton, Pos2, Sense, Ui};
+use eframe::egui::{self, Pos2, Rect, Sense, Stroke, Ui};
+use gesture::Gesture;
+use hit::{Reach, Target};
+use keys::Space;
 
 /// Points of the tip's trace that are kept.
 const TRACE: usize = 2000;
-/// How near the pointer has to be to a node or to the tip, in points.
-const NEAR: f64 = 14.0;
 
-/// Where the canvas looks and what is being dragged on it.
-#[derive(Debug, Default)]
+/// Where the canvas looks, what is in hand and what is being dragged.
+#[derive(Debug)]
 pub struct Canvas {
     camera: Camera,
     trace: Vec<Vector>,
-    gesture: Option<Gesture>,
     labels: paint::Labels,
+    gesture: Option<Gesture>,
+    tool: Tool,
+    /// The vertices of the polygon being drawn, in mm.
+    draft: Vec<Vector>,
+    /// The selected vertex, by its obstacle's index and its own.
+    vertex: Option<(usize, usize)>,
+    notice: Option<banner::Notice>,
+    menu: Option<menu::Opened>,
+    space: Space,
+    /// Since when the shape is greyed, in seconds of the window's clock.
+    stuck_since: Option<f64>,
+    id: Option<egui::Id>,
+    rect: Rect,
+    /// What the tools cover.
+    strip: Rect,
 }
 
-/// What is being dragged.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Gesture {
-    /// The view.
-    Pan,
-    /// An obstacle, held at this distance from its anchor, in metres.
-    Move { index: usize, held: Vector },
+impl Default for Canvas {
+    fn default() -> Self {
+        Self {
+            camera: Camera::default(),
+            trace: Vec::new(),
+            labels: paint::Labels::default(),
+            gesture: None,
+            tool: Tool::Select,
+            draft: Vec::new(),
+            vertex: None,
+            notice: None,
+            menu: None,
+            space: Space::Up,
+            stuck_since: None,
+            id: None,
+            rect: Rect::NOTHING,
+            strip: Rect::NOTHING,
+        }
+    }
 }
 
 impl Canvas {
@@ -44,6 +90,11 @@ impl Canvas {
     pub fn fit_soon(&mut self) {
         self.camera.fit_soon();
         self.trace.clear();
+    }
+
+    /// Where the canvas looks: what is where on the screen.
+    pub fn frame(&self) -> Frame {
+        self.camera.frame()
     }
 
     /// Where the tip has been, in metres.
@@ -72,6 +123,18 @@ impl Canvas {
             self.trace.drain(..TRACE / 2);
         }
     }
+
+    /// Removes the selected vertex of an obstacle, if one is selected and can
+    /// be spared. Whether one was selected.
+    pub fn remove_vertex(&mut self, index: usize, shape: &mut Shape) -> bool {
+        let Some((_, vertex)) = self.vertex.take().filter(|(of, _)| *of == index) else {
+            return false;
+        };
+        if let Some(fewer) = handles::remove_vertex(shape, vertex) {
+            *shape = fewer;
+        }
+        true
+    }
 }
 
 /// Shows the canvas in all the room there is.
@@ -80,38 +143,104 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     response
         .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Robot and obstacles"));
+    state.canvas.rect = rect;
     if rect.width() < 8.0 || rect.height() < 8.0 {
         return;
     }
     let bounds = state.live.drawing().bounds;
-    state.canvas.camera.place(rect, &bounds);
+    state.canvas.camera.place(rect, tools::ROOM, &bounds);
     state.canvas.camera.navigate(ui, &response);
     let frame = state.canvas.camera.frame();
-    if !overlays::interact(&response, state, &frame) {
-        interact(&response, state, &frame);
+    let reach = Reach::of(ui);
+    keys::follow(&response, state, &frame);
+    // What lies behind and before the robot comes first, where it is in hand.
+    let target = if backdrop::interact(&response, state, &frame) {
+        Target::Nothing
+    } else {
+        pointer::follow(&response, state, &frame, reach)
+    };
+    picture(ui, state, &frame, rect, target, reach);
+    overlays(ui, state, &frame, rect, &response);
+    if response.has_focus() && response.ctx.input(|input| !input.pointer.has_pointer()) {
+        let ring = Stroke::new(2.0, Tokens::in_ui(ui).accent);
+        let painter = ui.painter_at(rect);
+        painter.rect_stroke(rect.shrink(1.0), 0.0, ring, egui::StrokeKind::Inside);
     }
+    menu::show(&response, state, &frame);
+}
+
+/// Paints the scene.
+fn picture(ui: &Ui, state: &mut State, frame: &Frame, rect: Rect, target: Target, reach: Reach) {
     let theme = theme_of(ui);
+    let tokens = Tokens::of(theme);
     let painter = ui.painter_at(rect);
-    painter.rect_filled(rect, 0.0, Tokens::of(theme).canvas);
-    overlays::behind(&painter, state, &frame);
-    if state.preferences.grid {
-        paint::grid(&painter, &frame, theme);
+    painter.rect_filled(rect, 0.0, tokens.canvas);
+    if state.preferences.field {
+        let obstacles = state.live.problem().obstacles();
+        painter.add(field_callback(rect, frame, obstacles, theme));
     }
-    let State {
-        canvas,
-        live,
-        selection,
-        ..
-    } = state;
-    paint::drawing(&painter, live.drawing(), &frame, theme);
-    paint::selection(&painter, live, *selection, &frame, theme);
-    let revision = live.revision();
+    backdrop::behind(&painter, state, frame);
+    if state.preferences.grid {
+        paint::grid(&painter, frame, theme);
+    }
+    let lit = match &state.canvas.gesture {
+        None => state.hovering,
+        Some(_) => Hovered::Nothing,
+    };
+    if state.selection == Selection::Robot {
+        paint::halo(&painter, &state.live, frame, theme);
+    }
+    paint::drawing(&painter, state.live.drawing(), frame, theme);
+    if let Hovered::Obstacle(_) = lit {
+        hover::paint(&painter, state, lit, frame, rect, theme);
+    }
+    paint::selection(&painter, &state.live, state.selection, frame, theme);
+    let revision = state.live.revision();
+    let State { canvas, live, .. } = state;
+    let drawing = (live.drawing(), revision);
     canvas
         .labels
-        .paint(&painter, live.drawing(), revision, &frame, theme);
-    paint::scale_bar(&painter, &frame, theme);
-    overlays::before(&painter, state, &frame, theme);
-    paint::legend(&painter, live.drawing(), rect, theme);
+        .paint(&painter, drawing, frame, canvas.strip, theme);
+    if let Some((index, shape)) = hit::selected(state, frame) {
+        let under = match target {
+            Target::Handle(of, handle) if of == index => Some(handle),
+            _ => None,
+        };
+        let vertex = state.canvas.vertex.filter(|(of, _)| *of == index);
+        let filled = (under, vertex.map(|(_, vertex)| vertex));
+        paint::handles(&painter, &shape, frame, filled, reach, &tokens);
+    }
+    if target == Target::Tip {
+        paint::tip_ring(&painter, &state.live, frame, &tokens);
+    }
+    paint::scale_bar(&painter, frame, theme);
+    backdrop::before(&painter, state, frame, theme);
+    paint::legend(&painter, state.live.drawing(), rect, theme);
+    match lit {
+        Hovered::Obstacle(_) => {}
+        lit => hover::paint(&painter, state, lit, frame, rect, theme),
+    }
+}
+
+/// Paints and shows what floats over the scene.
+fn overlays(ui: &mut Ui, state: &mut State, frame: &Frame, rect: Rect, response: &egui::Response) {
+    let tokens = Tokens::in_ui(ui);
+    let painter = ui.painter_at(rect);
+    let pointer = response.hover_pos().or(response.interact_pointer_pos());
+    banner::rings(ui, &painter, state, frame);
+    tools::paint_draft(&painter, &state.canvas, frame, pointer, &tokens);
+    if state.canvas.gesture.is_none() && state.canvas.tool == Tool::Select {
+        let hints = state.preferences.hints;
+        hints.paint(&painter, &state.live, frame, rect, &tokens);
+    }
+    state.canvas.strip = tools::show(ui, state, rect);
+    banner::show(ui, state, rect);
+    let painter = ui.painter_at(rect);
+    if let (Some(gesture), Some(pointer)) = (&state.canvas.gesture, pointer) {
+        let numbers = gesture.reading(&state.document.scene);
+        chip::reading(&painter, rect, pointer, &numbers, &tokens);
+    }
+    banner::messages(ui, &painter, state, rect, pointer);
 }
 
 fn to_world(frame: &Frame, at: Pos2) -> Vector {
@@ -121,84 +250,4 @@ fn to_world(frame: &Frame, at: Pos2) -> Vector {
 fn to_screen(frame: &Frame, at: Vector) -> Pos2 {
     let at = frame.to_screen(at);
     Pos2::new(at.x as f32, at.y as f32)
-}
-
-fn interact(response: &egui::Response, state: &mut State, frame: &Frame) {
-    let Some(pointer) = response.hover_pos().or(response.interact_pointer_pos()) else {
-        return;
-    };
-    let world = to_world(frame, pointer);
-    let under = obstacle_at(&state.live, world, 4.0 / frame.scale);
-    if state.canvas.gesture.is_none() {
-        state.hovering = hovered_at(&state.live, frame, world, under);
-    }
-    if under.is_some() {
-        response.ctx.set_cursor_icon(CursorIcon::Grab);
-    }
-    if response.clicked() {
-        state.selection = under.map_or(Selection::Nothing, Selection::Obstacle);
-    }
-    if response.drag_started_by(PointerButton::Primary) {
-        let origin = response.ctx.input(|input| input.pointer.press_origin());
-        let origin = to_world(frame, origin.unwrap_or(pointer));
-        let under = obstacle_at(&state.live, origin, 4.0 / frame.scale);
-        state.canvas.gesture = Some(match under {
-            Some(index) => {
-                state.selection = Selection::Obstacle(index);
-                let anchor = state.live.problem().obstacles()[index].position();
-                let held = origin - anchor;
-                Gesture::Move { index, held }
-            }
-            None => Gesture::Pan,
-        });
-    }
-    match state.canvas.gesture {
-        Some(Gesture::Pan) => {
-            let by = response.drag_delta();
-            state.canvas.camera.pan(f64::from(by.x), f64::from(by.y));
-        }
-        Some(Gesture::Move { index, held }) => {
-            response.ctx.set_cursor_icon(CursorIcon::Grabbing);
-            if let Some(obstacle) = state.document.scene.obstacles.get_mut(index) {
-                let to = world - held;
-                obstacle
-                    .shape
-                    .move_to_mm([millimetres(to.x), millimetres(to.y)]);
-            }
-        }
-        None => {}
-    }
-    if response.drag_stopped() {
-        state.canvas.gesture = None;
-    }
-}
-
-/// The topmost obstacle within `margin` metres of a point.
-fn obstacle_at(live: &Live, point: Vector, margin: f64) -> Option<usize> {
-    let obstacles = live.problem().obstacles();
-    obstacles
-        .iter()
-        .rposition(|obstacle| obstacle.clearance(point).distance <= margin)
-}
-
-fn hovered_at(live: &Live, frame: &Frame, point: Vector, under: Option<usize>) -> Hovered {
-    let near = NEAR / frame.scale;
-    if let Some(solution) = live.solution() {
-        let contacts = solution.contacts.iter().map(|contact| contact.point);
-        if let Some(index) = nearest(contacts, point, near) {
-            return Hovered::Contact(index);
-        }
-        if let Some(index) = nearest(solution.backbone(), point, near) {
-            return Hovered::Node(index);
-        }
-    }
-    under.map_or(Hovered::Nothing, Hovered::Obstacle)
-}
-
-/// The nearest of some points, if it is near enough.
-fn nearest(points: impl Iterator<Item = Vector>, to: Vector, near: f64) -> Option<usize> {
-    let away = points.map(|point| (point - to).norm()).enumerate();
-    away.filter(|(_, away)| *away <= near)
-        .min_by(|a, b| a.1.total_cmp(&b.1))
-        .map(|(index, _)| index)
 }

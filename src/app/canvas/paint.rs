@@ -1,10 +1,12 @@
 //! Painting a [`Drawing`] with egui: the same marks that the SVG export writes.
 
+mod handles;
 mod labels;
 mod overlay;
 
+pub(super) use handles::paint as handles;
 pub(super) use labels::Labels;
-pub(super) use overlay::{legend, scale_bar, selection};
+pub(super) use overlay::{halo, legend, outline_of, scale_bar, selection, tip_ring};
 
 use super::to_screen;
 use crate::app::look::colour;

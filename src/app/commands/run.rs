@@ -1,11 +1,13 @@
 //! What each command does.
 
 use super::Command;
+use crate::app::canvas::copied;
 use crate::app::files::{self, Intent, Saving, export};
 use crate::app::panels::settings_id;
 use crate::app::platform::{Errand, PictureKind};
 use crate::app::sheets::Sheet;
 use crate::app::state::{Rescale, Selection, State, Views};
+use crate::scene::Obstacle;
 use eframe::egui::{Context, Popup, Theme, ThemePreference, ViewportCommand};
 
 /// Runs a command, if it would do anything.
@@ -34,20 +36,45 @@ pub fn run(command: Command, state: &mut State, ctx: &Context) {
             state.transport.stop();
             state.history.redo(scene);
         }
+        Command::Duplicate => {
+            let original = state.selection.obstacle();
+            if let Some(original) = original.and_then(|index| scene.obstacles.get(index)) {
+                let copy = Obstacle {
+                    name: original.name.as_ref().map(|name| format!("{name} copy")),
+                    shape: copied(&original.shape, &scene.robot),
+                };
+                scene.obstacles.push(copy);
+                state.selection = Selection::Obstacle(scene.obstacles.len() - 1);
+            }
+        }
         Command::Delete => {
-            if let Some(index) = state.selection.obstacle() {
+            if let Some(index) = state.selection.obstacle()
+                && let Some(obstacle) = scene.obstacles.get_mut(index)
+                && !state.canvas.remove_vertex(index, &mut obstacle.shape)
+            {
                 scene.obstacles.remove(index);
                 state.selection = Selection::Nothing;
             }
         }
-        Command::Deselect => state.selection = Selection::Nothing,
+        Command::Deselect => {
+            if !state.canvas.give_up(scene) {
+                state.selection = Selection::Nothing;
+            }
+        }
+        Command::Tool(tool) => state.canvas.take_tool(tool),
         Command::Play => {
             let span = state.span_mm();
             let pull_mm = &mut state.document.scene.actuation.pull_mm;
             state.transport.toggle(pull_mm, span);
         }
         Command::FromStraight => state.restart(),
-        Command::Fit => state.canvas.fit_soon(),
+        Command::Fit => {
+            state.canvas.fit_soon();
+            state.space.fit_soon();
+        }
+        Command::ViewPlane => state.preferences.views = Views::Plane,
+        Command::ViewSpace => state.preferences.views = Views::Space,
+        Command::ViewBoth => state.preferences.views = Views::Both,
         Command::Outline => state.preferences.outline ^= true,
         Command::Dock => state.preferences.dock ^= true,
         Command::Field => state.preferences.field ^= true,
@@ -56,9 +83,6 @@ pub fn run(command: Command, state: &mut State, ctx: &Context) {
             state.preferences.trace ^= true;
             state.redraw();
         }
-        Command::ViewPlane => state.preferences.views = Views::Plane,
-        Command::ViewSpace => state.preferences.views = Views::Space,
-        Command::ViewBoth => state.preferences.views = Views::Both,
         Command::Larger => state.preferences.rescale(Rescale::Larger),
         Command::Smaller => state.preferences.rescale(Rescale::Smaller),
         Command::UsualSize => state.preferences.rescale(Rescale::Usual),

@@ -1,19 +1,45 @@
-//! The panels around the canvas: bar, outline, transport, status, dock.
+//! The panels around the canvas: bar, outline and inspector, transport,
+//! status, tables.
 
 mod bar;
+mod inspector;
 mod measured;
 mod menu;
+mod outline;
 mod photo;
 mod restore;
+mod row;
 mod settings;
+mod status;
+pub mod tables;
 mod track;
 mod transport;
+mod typed;
 
 pub use settings::settings_id;
 
 use super::look::Tokens;
-use super::state::State;
-use eframe::egui::{Frame, Margin, Panel, Ui};
+use super::state::{Selection, State};
+use eframe::egui::{Align, Frame, Layout, Margin, Panel, Ui, vec2};
+
+/// Windows that are narrower than this, in points, have no room for the
+/// outline.
+const NARROW: f32 = 640.0;
+
+/// What the panels keep from frame to frame.
+#[derive(Debug, Default)]
+pub struct Panels {
+    /// Whether the certificate is open.
+    pub certificate: bool,
+    /// The obstacle that is being renamed in the outline.
+    renaming: Option<outline::Renaming>,
+    /// What was wrong with what was typed last.
+    complaint: Option<inspector::Complaint>,
+    /// What the inspector showed last.
+    inspected: Selection,
+    /// What the status chip told last, and when.
+    told: Option<(status::Verdict, f64)>,
+}
 
 /// Shows all panels that are open; what is left is the canvas's.
 pub fn show(ui: &mut Ui, state: &mut State) {
@@ -29,5 +55,33 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     restore::show(ui, state);
     Panel::bottom("transport")
         .frame(frame(12, 8))
-        .show(ui, |ui| transport::show(ui, state));
+        .show(ui, |ui| {
+            let bar = ui.available_width();
+            let height = ui.spacing().interact_size.y;
+            let layout = Layout::right_to_left(Align::Center);
+            ui.allocate_ui_with_layout(vec2(bar, height), layout, |ui| {
+                ui.spacing_mut().item_spacing.x = 16.0;
+                status::show(ui, state, bar);
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.spacing_mut().item_spacing.x = 8.0;
+                    transport::show(ui, state);
+                });
+            });
+        });
+    let width = ui.available_width();
+    if state.preferences.outline && width >= NARROW {
+        Panel::left("outline")
+            .frame(frame(12, 12))
+            .default_size(260.0)
+            .size_range(220.0..=0.4 * width)
+            .show(ui, |ui| {
+                let height = ui.available_height();
+                ui.scope(|ui| outline::show(ui, state, 0.4 * height));
+                ui.add_space(20.0);
+                inspector::show(ui, state);
+            });
+    }
+    if state.panels.certificate {
+        status::certificate(ui, state);
+    }
 }

@@ -66,7 +66,7 @@ fn marks(ui: &Ui, state: &mut State, rect: Rect, ends: Rangef, at: impl Fn(f64) 
         if response.hovered() {
             state.hovering = Hovered::Pull(event.pull);
         }
-        let text = words::event(event, &state.document.scene, state.live.problem().robot());
+        let text = words::event(event, &state.document.scene);
         if response.on_hover_text(text).clicked() {
             state.document.scene.actuation.pull_mm = millimetres(event.pull);
         }

@@ -2,31 +2,53 @@
 
 use crate::app::look::{Tokens, colour, semibold};
 use crate::geometry::Vector;
-use crate::view::{Drawing, Frame, LabelText, Placed, Quantity, Theme, place_labels};
-use eframe::egui::{Align2, Color32, FontId, Painter, pos2, vec2};
+use crate::view::{
+    Bounds, Drawing, Frame, LabelText, Placed, Quantity, Theme, place_labels_beside,
+};
+use eframe::egui::{Align2, Color32, FontId, Painter, Rect, pos2, vec2};
 
 /// Placed labels, and what they were placed for.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Labels {
     revision: u64,
     frame: Option<Frame>,
+    taken: Rect,
     placed: Vec<Placed>,
 }
 
+impl Default for Labels {
+    fn default() -> Self {
+        Self {
+            revision: 0,
+            frame: None,
+            taken: Rect::NOTHING,
+            placed: Vec::new(),
+        }
+    }
+}
+
 impl Labels {
-    /// Paints the labels of a drawing, which `revision` tells from others.
+    /// Paints the labels of a drawing, which `revision` tells from others,
+    /// beside what is `taken` of the canvas.
     pub fn paint(
         &mut self,
         painter: &Painter,
-        drawing: &Drawing,
-        revision: u64,
+        (drawing, revision): (&Drawing, u64),
         frame: &Frame,
+        taken: Rect,
         theme: Theme,
     ) {
-        if self.revision != revision || self.frame != Some(*frame) {
-            self.placed = place_labels(drawing, frame, |text| measure(painter, text));
+        if self.revision != revision || self.frame != Some(*frame) || self.taken != taken {
+            let area = Bounds::of([taken.min, taken.max].map(|at| {
+                let at = at.to_vec2();
+                Vector::new(f64::from(at.x), f64::from(at.y))
+            }));
+            let taken_areas: &[Bounds] = if taken.is_positive() { &[area] } else { &[] };
+            let measure = |text: &LabelText| measure(painter, text);
+            self.placed = place_labels_beside(drawing, frame, taken_areas, measure);
             self.revision = revision;
             self.frame = Some(*frame);
+            self.taken = taken;
         }
         let tokens = Tokens::of(theme);
         for place in &self.placed {

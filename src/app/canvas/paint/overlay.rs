@@ -14,13 +14,17 @@ const EDGE: f32 = 16.0;
 /// Length of the scale bar, in points, at most.
 const BAR: f64 = 120.0;
 
-/// A line in the accent around what is selected.
+/// A line in the accent around the obstacle that is selected.
 pub fn selection(painter: &Painter, live: &Live, selected: Selection, frame: &Frame, theme: Theme) {
-    let Selection::Obstacle(index) = selected else {
-        return;
-    };
+    if let Selection::Obstacle(index) = selected {
+        let stroke = Stroke::new(2.0, Tokens::of(theme).accent);
+        outline_of(painter, live, index, frame, stroke);
+    }
+}
+
+/// A line around an obstacle.
+pub fn outline_of(painter: &Painter, live: &Live, index: usize, frame: &Frame, stroke: Stroke) {
     let marks = &live.drawing().marks;
-    let stroke = Stroke::new(2.0, Tokens::of(theme).accent);
     for mark in marks.iter().filter(|m| m.role == Role::Obstacle(index)) {
         match &mark.geometry {
             Geometry::Path(path) => {
@@ -38,6 +42,32 @@ pub fn selection(painter: &Painter, live: &Live, selected: Selection, frame: &Fr
             }
             _ => {}
         }
+    }
+}
+
+/// A soft ground under the robot that is selected.
+pub fn halo(painter: &Painter, live: &Live, frame: &Frame, theme: Theme) {
+    let soft = Stroke::new(14.0, Tokens::of(theme).accent_soft);
+    let marks = live.drawing().marks.iter();
+    for mark in marks.filter(|mark| mark.role == Role::Backbone) {
+        if let Geometry::Path(path) = &mark.geometry
+            && let Some(points) = flattened(path, frame)
+        {
+            let ends = [points.first(), points.last()];
+            for end in ends.into_iter().flatten() {
+                painter.circle_filled(*end, 0.5 * soft.width, soft.color);
+            }
+            painter.add(Shape::line(points, soft));
+        }
+    }
+}
+
+/// A ring around the tip, which can be dragged.
+pub fn tip_ring(painter: &Painter, live: &Live, frame: &Frame, tokens: &Tokens) {
+    let tip = live.solution().and_then(|solution| solution.nodes.last());
+    if let Some(tip) = tip {
+        let at = super::to_screen(frame, tip.position);
+        painter.circle_stroke(at, 9.0, Stroke::new(2.0, tokens.accent));
     }
 }
 

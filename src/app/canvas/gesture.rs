@@ -1,0 +1,261 @@
+//! Dragging: the view, obstacles, their handles, new obstacles and the tip.
+//! Each frame starts from the scene as it was when the drag began, so that
+//! rounding does not add up and giving up restores it exactly.
+
+use super::handles::{Handle, drag, handles, moved, neat, vertices};
+use super::hit::{self, Target};
+use super::place;
+use super::pull::TipMap;
+use super::tools::Tool;
+use crate::app::state::{Selection, State};
+use crate::geometry::Vector;
+use crate::scene::{Obstacle, Scene, Shape};
+use crate::units::{METRES_PER_MM, millimetres};
+use crate::view::{Frame, Quantity};
+use eframe::egui::Modifiers;
+
+/// A drag that is going on.
+#[derive(Clone, Debug)]
+pub struct Gesture {
+    /// What is dragged.
+    pub what: Dragged,
+    /// The scene before it.
+    before: Scene,
+    /// Where it began, in mm.
+    origin: Vector,
+    /// From there to what is dragged, in mm.
+    grip: Vector,
+    /// What the scene was last made to follow: it stays where it is while the
+    /// pointer does, even where it was refused.
+    followed: Option<(Vector, Modifiers)>,
+}
+
+/// What is dragged.
+#[derive(Clone, Debug)]
+pub enum Dragged {
+    /// The view.
+    View,
+    /// An obstacle, by its index.
+    Obstacle(usize),
+    /// A handle of an obstacle with this shape.
+    Handle(usize, Handle, Shape),
+    /// A new obstacle, which has this index.
+    New(Tool, usize),
+    /// The tip, with the pull in metres that it stood for on a map.
+    Tip(TipMap, f64),
+}
+
+impl Gesture {
+    /// A drag of the view.
+    pub fn view(state: &State) -> Self {
+        Self::new(state, Dragged::View, Vector::zeros())
+    }
+
+    /// The drag that begins at a point in metres, on a target or with a tool.
+    /// Selects what it takes hold of.
+    pub fn begin(state: &mut State, frame: &Frame, target: Target, at: Vector) -> Self {
+        let origin = at / METRES_PER_MM;
+        let tool = state.canvas.tool;
+        if !matches!(tool, Tool::Select | Tool::Polygon) {
+            let index = state.document.scene.obstacles.len();
+            return Self::new(state, Dragged::New(tool, index), origin);
+        }
+        match target {
+            Target::Handle(index, handle) => {
+                let Some((_, shape)) = hit::selected(state, frame) else {
+                    return Self::view(state);
+                };
+                let all = handles(&shape, hit::per_point(frame));
+                let place = all.iter().find(|(other, _)| *other == handle);
+                let grip = place.map_or(Vector::zeros(), |(_, place)| place - origin);
+                state.canvas.vertex = match handle {
+                    Handle::Vertex(vertex) => Some((index, vertex)),
+                    _ => None,
+                };
+                let what = Dragged::Handle(index, handle, shape);
+                Self {
+                    grip,
+                    ..Self::new(state, what, origin)
+                }
+            }
+            Target::Obstacle(index) => {
+                if state.selection != Selection::Obstacle(index) {
+                    state.canvas.vertex = None;
+                }
+                state.selection = Selection::Obstacle(index);
+                state.preferences.hints.obstacle = true;
+                Self::new(state, Dragged::Obstacle(index), origin)
+            }
+            Target::Tip => {
+                state.selection = Selection::Robot;
+                state.transport.stop();
+                state.preferences.hints.tip = true;
+                let map = TipMap::of(state);
+                match map.pull_for_tip(state, at) {
+                    Some(pull) => Self::new(state, Dragged::Tip(map, pull), origin),
+                    None => Self::view(state),
+                }
+            }
+            Target::Robot | Target::Nothing => Self::view(state),
+        }
+    }
+
+    fn new(state: &State, what: Dragged, origin: Vector) -> Self {
+        Self {
+            what,
+            before: state.document.scene.clone(),
+            origin,
+            grip: Vector::zeros(),
+            followed: None,
+        }
+    }
+
+    /// Whether the view is dragged, not the scene.
+    pub fn is_view(&self) -> bool {
+        matches!(self.what, Dragged::View)
+    }
+
+    /// The scene as it was before the drag.
+    pub fn before(&self) -> &Scene {
+        &self.before
+    }
+
+    /// Makes the scene follow the pointer, which is at a point in metres.
+    pub fn follow(&mut self, state: &mut State, frame: &Frame, at: Vector, modifiers: Modifiers) {
+        if self.followed == Some((at, modifiers)) {
+            return;
+        }
+        self.followed = Some((at, modifiers));
+        let per_point = hit::per_point(frame);
+        let to = at / METRES_PER_MM;
+        match &self.what {
+            Dragged::View => {}
+            Dragged::Obstacle(index) => {
+                if let Some(obstacle) = self.before.obstacles.get(*index) {
+                    let by = to - self.origin;
+                    set(
+                        state,
+                        *index,
+                        moved(&obstacle.shape, by, modifiers, per_point),
+                    );
+                }
+            }
+            Dragged::Handle(index, handle, shape) => {
+                let to = to + self.grip;
+                set(
+                    state,
+                    *index,
+                    drag(shape, *handle, to, modifiers, per_point),
+                );
+            }
+            Dragged::New(tool, index) => {
+                let robot = &self.before.robot;
+                if let Some(shape) = place::dragged(*tool, self.origin, to, robot, per_point) {
+                    let obstacles = &mut state.document.scene.obstacles;
+                    if *index == obstacles.len() {
+                        obstacles.push(Obstacle::from(shape));
+                    } else {
+                        set(state, *index, shape);
+                    }
+                }
+            }
+            Dragged::Tip(map, start) => {
+                if let Some(pull) = map.pull_for_tip(state, at) {
+                    let span = state.span_mm();
+                    let by = millimetres(pull - start);
+                    let pull_mm = (self.before.actuation.pull_mm + by).clamp(span.0, span.1);
+                    // A pull moves the tip by a few times its length.
+                    state.document.scene.actuation.pull_mm = neat(pull_mm, 0.5 * per_point);
+                }
+            }
+        }
+    }
+
+    /// Ends the drag where it is.
+    pub fn end(self, state: &mut State) {
+        if let Dragged::New(_, index) = self.what {
+            state.canvas.tool = Tool::Select;
+            if index < state.document.scene.obstacles.len() {
+                state.selection = Selection::Obstacle(index);
+            }
+        }
+    }
+
+    /// The target that the drag has taken hold of.
+    pub fn target(&self) -> Target {
+        match &self.what {
+            Dragged::View => Target::Nothing,
+            Dragged::Obstacle(index) | Dragged::New(_, index) => Target::Obstacle(*index),
+            Dragged::Handle(index, handle, _) => Target::Handle(*index, *handle),
+            Dragged::Tip(..) => Target::Tip,
+        }
+    }
+
+    /// The numbers that are being dragged, by name.
+    pub fn reading(&self, scene: &Scene) -> Vec<(&'static str, Quantity)> {
+        let shape = |index: usize| scene.obstacles.get(index).map(|o| &o.shape);
+        match &self.what {
+            Dragged::View => Vec::new(),
+            Dragged::Obstacle(index) => shape(*index).map_or(Vec::new(), place_reading),
+            Dragged::New(_, index) => shape(*index).map_or(Vec::new(), size_reading),
+            Dragged::Handle(index, handle, _) => {
+                shape(*index).map_or(Vec::new(), |shape| handle_reading(shape, *handle))
+            }
+            Dragged::Tip(..) => vec![("Pull", mm(scene.actuation.pull_mm))],
+        }
+    }
+}
+
+fn set(state: &mut State, index: usize, shape: Shape) {
+    if let Some(obstacle) = state.document.scene.obstacles.get_mut(index) {
+        obstacle.shape = shape;
+    }
+}
+
+fn mm(value: f64) -> Quantity {
+    Quantity::fixed(value, 2, "mm")
+}
+
+fn degrees(value: f64) -> Quantity {
+    Quantity::fixed(value, 1, "°")
+}
+
+fn place_reading(shape: &Shape) -> Vec<(&'static str, Quantity)> {
+    let [x, y] = shape.anchor_mm();
+    vec![("x", mm(x)), ("y", mm(y))]
+}
+
+fn size_reading(shape: &Shape) -> Vec<(&'static str, Quantity)> {
+    match shape {
+        Shape::Disc { radius_mm, .. } => vec![("Radius", mm(*radius_mm))],
+        Shape::Box { size_mm, .. } => {
+            vec![("Width", mm(size_mm[0])), ("Height", mm(size_mm[1]))]
+        }
+        Shape::Capsule {
+            length_mm,
+            rotation_deg,
+            ..
+        } => vec![("Length", mm(*length_mm)), ("Turn", degrees(*rotation_deg))],
+        Shape::Wall { rotation_deg, .. } => vec![("Normal", degrees(*rotation_deg))],
+        Shape::Polygon { .. } => Vec::new(),
+    }
+}
+
+fn handle_reading(shape: &Shape, handle: Handle) -> Vec<(&'static str, Quantity)> {
+    match (shape, handle) {
+        (Shape::Wall { rotation_deg, .. }, _) => vec![("Normal", degrees(*rotation_deg))],
+        (shape, Handle::Turn) => vec![("Turn", degrees(shape.rotation_deg()))],
+        (
+            Shape::Box {
+                corner_radius_mm, ..
+            },
+            Handle::Corner,
+        ) => vec![("Corner radius", mm(*corner_radius_mm))],
+        (Shape::Capsule { radius_mm, .. }, Handle::Flank(_)) => vec![("Radius", mm(*radius_mm))],
+        (shape, Handle::Vertex(index)) => match vertices(shape).get(index) {
+            Some(at) => vec![("x", mm(at.x)), ("y", mm(at.y))],
+            None => Vec::new(),
+        },
+        (shape, _) => size_reading(shape),
+    }
+}

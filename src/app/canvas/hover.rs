@@ -1,0 +1,132 @@
+//! What lights up because the pointer is on it here, or on its twin in another
+//! part of the window.
+
+use super::chip::Chip;
+use super::{paint, to_screen};
+use crate::app::look::Tokens;
+use crate::app::state::{Hovered, State};
+use crate::app::words;
+use crate::equilibrium::{Contact, Solution};
+use crate::forces::part_name;
+use crate::model::Problem;
+use crate::units::{METRES_PER_MM, degrees, millimetres};
+use crate::view::{Frame, Quantity, Theme};
+use eframe::egui::{Color32, Painter, Rect, Stroke};
+
+/// Paints what is hovered and what there is to know of it.
+pub fn paint(
+    painter: &Painter,
+    state: &State,
+    hovered: Hovered,
+    frame: &Frame,
+    within: Rect,
+    theme: Theme,
+) {
+    let tokens = Tokens::of(theme);
+    let problem = state.live.problem();
+    let Some(solution) = state.live.solution() else {
+        return;
+    };
+    if solution.nodes.len() != problem.robot().segments + 1 {
+        // The shape of a robot that was just given other segments.
+        return;
+    }
+    let ring = |at, radius: f32| {
+        painter.circle_stroke(at, radius + 1.5, Stroke::new(4.0, tokens.canvas));
+        painter.circle(
+            at,
+            radius,
+            Color32::TRANSPARENT,
+            Stroke::new(2.0, tokens.accent),
+        );
+    };
+    match hovered {
+        Hovered::Nothing | Hovered::Pull(_) => {}
+        Hovered::Node(index) => {
+            let Some(node) = solution.nodes.get(index) else {
+                return;
+            };
+            // Its bay, so that one sees where a plot's point is.
+            let offset = problem.robot().offset;
+            let ends = [node.position, node.at(offset)].map(|p| to_screen(frame, p));
+            painter.line_segment(ends, Stroke::new(2.0, tokens.accent));
+            ring(ends[0], 6.0);
+            node_chip(problem, solution, index).paint(painter, within, ends[0], &tokens);
+        }
+        Hovered::Contact(index) => {
+            let Some(contact) = solution.contacts.get(index) else {
+                return;
+            };
+            let at = to_screen(frame, contact.point);
+            ring(at, 11.0);
+            contact_chip(state, problem, contact).paint(painter, within, at, &tokens);
+        }
+        Hovered::Obstacle(index) => {
+            let stroke = Stroke::new(1.5, tokens.accent.gamma_multiply(0.6));
+            paint::outline_of(painter, &state.live, index, frame, stroke);
+        }
+    }
+}
+
+fn row(name: &str, value: Quantity) -> (String, Quantity) {
+    (name.to_owned(), value)
+}
+
+fn text(words: impl Into<String>) -> Quantity {
+    Quantity {
+        digits: words.into(),
+        unit: "",
+    }
+}
+
+/// What there is to know of a node.
+fn node_chip(problem: &Problem, solution: &Solution, index: usize) -> Chip {
+    let robot = problem.robot();
+    let node = &solution.nodes[index];
+    let mut title = format!("Node {index}");
+    if index + 1 == solution.nodes.len() {
+        title.push_str(" · tip");
+    } else if robot.has_disk(index) {
+        title.push_str(&format!(" · disk {}", index / robot.segments_per_bay + 1));
+    }
+    let mm = |value| Quantity::fixed(millimetres(value), 2, "mm");
+    let mut rows = vec![row("x", mm(node.position.x)), row("y", mm(node.position.y))];
+    if let Some(bend) = index.checked_sub(1).and_then(|i| solution.bends.get(i)) {
+        rows.push(row("Bend", Quantity::fixed(degrees(*bend), 2, "°")));
+    }
+    let candidates = problem.candidates();
+    let clearances = solution.clearances(problem).into_iter();
+    let of_node = clearances.filter(|c| candidates[c.candidate].node == index);
+    if let Some(least) = of_node.map(|c| c.clearance).reduce(f64::min) {
+        rows.push(row("Clearance", mm(least)));
+    }
+    Chip {
+        title: Some(title),
+        rows,
+    }
+}
+
+/// What there is to know of a contact.
+fn contact_chip(state: &State, problem: &Problem, contact: &Contact) -> Chip {
+    let part = part_name(problem.robot(), contact);
+    let name = words::obstacle_of(&state.document.scene, contact.obstacle);
+    let multiplier = contact.multiplier * METRES_PER_MM;
+    Chip {
+        title: Some(capitalised(&part)),
+        rows: vec![
+            row(
+                &capitalised(contact.class.word()),
+                text(format!("on {name}")),
+            ),
+            row("Multiplier λ", Quantity::significant(multiplier, "rad²/mm")),
+        ],
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    match letters.next() {
+        Some(first) => first.to_uppercase().chain(letters).collect(),
+        None => String::new(),
+    }
+}

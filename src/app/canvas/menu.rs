@@ -1,0 +1,157 @@
+//! What a right click or a long press offers, for an obstacle or the plane.
+
+use super::handles::{Handle, add_vertex, remove_vertex};
+use super::hit::{Target, per_point};
+use super::place;
+use super::tools::Tool;
+use crate::app::commands::Command;
+use crate::app::look::{icon, icons};
+use crate::app::state::{Selection, State};
+use crate::geometry::Vector;
+use crate::scene::{Obstacle, Shape};
+use crate::units::METRES_PER_MM;
+use crate::view::Frame;
+use eframe::egui::{Button, Popup, PopupCloseBehavior, Response, TextEdit, Ui};
+
+/// What the menu was opened on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Opened {
+    target: Target,
+    /// In mm.
+    at: Vector,
+}
+
+/// Opens the menu on a target at a point in metres. Selects it.
+pub fn open(state: &mut State, target: Target, at: Vector) {
+    if let Some(index) = target.obstacle() {
+        state.selection = Selection::Obstacle(index);
+    }
+    state.canvas.menu = Some(Opened {
+        target,
+        at: at / METRES_PER_MM,
+    });
+}
+
+/// Shows the menu while it is open.
+pub fn show(response: &Response, state: &mut State, frame: &Frame) {
+    let Some(opened) = state.canvas.menu else {
+        return;
+    };
+    Popup::context_menu(response)
+        .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
+        .show(|ui| {
+            ui.set_min_width(200.0);
+            match opened.target.obstacle() {
+                Some(index) if index < state.document.scene.obstacles.len() => {
+                    of_obstacle(ui, state, index, opened);
+                }
+                _ => of_plane(ui, state, opened, frame),
+            }
+        });
+}
+
+fn of_obstacle(ui: &mut Ui, state: &mut State, index: usize, opened: Opened) {
+    let obstacle = &mut state.document.scene.obstacles[index];
+    let label = ui.weak("Name");
+    let mut name = obstacle.name.clone().unwrap_or_default();
+    let field = TextEdit::singleline(&mut name)
+        .hint_text(obstacle.shape.word())
+        .desired_width(184.0);
+    let field = ui.add(field).labelled_by(label.id);
+    if field.changed() {
+        obstacle.name = (!name.trim().is_empty()).then_some(name);
+    }
+    if field.lost_focus() && ui.input(|input| input.key_pressed(eframe::egui::Key::Enter)) {
+        ui.close();
+    }
+    ui.separator();
+    command(ui, state, Command::Duplicate);
+    let shape = state.document.scene.obstacles[index].shape.clone();
+    let mut edited = None;
+    if let Shape::Polygon { .. } = shape {
+        if let Target::Handle(_, Handle::Vertex(vertex)) = opened.target {
+            let fewer = remove_vertex(&shape, vertex);
+            if item(ui, icons::MINUS, "Remove this vertex", fewer.is_some()) {
+                edited = fewer;
+            }
+        }
+        let more = add_vertex(&shape, opened.at);
+        if item(ui, icons::PLUS, "Add a vertex here", more.is_some()) {
+            edited = more.map(|(shape, _)| shape);
+        }
+    }
+    let is_turned = shape.rotation_deg() != 0.0;
+    let turns = !matches!(shape, Shape::Disc { .. } | Shape::Wall { .. });
+    if turns
+        && item(
+            ui,
+            icons::CLOCK_COUNTER_CLOCKWISE,
+            "Reset its turn",
+            is_turned,
+        )
+    {
+        let mut straight = shape;
+        if let Shape::Box { rotation_deg, .. }
+        | Shape::Capsule { rotation_deg, .. }
+        | Shape::Polygon { rotation_deg, .. } = &mut straight
+        {
+            *rotation_deg = 0.0;
+        }
+        edited = Some(straight);
+    }
+    if let Some(shape) = edited {
+        state.canvas.vertex = None;
+        state.document.scene.obstacles[index].shape = shape;
+        ui.close();
+    }
+    ui.separator();
+    command(ui, state, Command::Delete);
+}
+
+fn of_plane(ui: &mut Ui, state: &mut State, opened: Opened, frame: &Frame) {
+    for (tool, title) in [
+        (Tool::Disc, "Add a disc here"),
+        (Tool::Box, "Add a box here"),
+        (Tool::Capsule, "Add a capsule here"),
+        (Tool::Wall, "Add a wall here"),
+    ] {
+        if item(ui, tool.icon(), title, true) {
+            add(state, tool, METRES_PER_MM * opened.at, frame);
+            ui.close();
+        }
+    }
+    ui.separator();
+    command(ui, state, Command::Fit);
+}
+
+/// Adds the obstacle of a tool at a point in metres, and selects it.
+pub fn add(state: &mut State, tool: Tool, at: Vector, frame: &Frame) {
+    let scene = &mut state.document.scene;
+    let shape = place::clicked(tool, at / METRES_PER_MM, &scene.robot, per_point(frame));
+    if let Some(shape) = shape {
+        scene.obstacles.push(Obstacle::from(shape));
+        state.selection = Selection::Obstacle(scene.obstacles.len() - 1);
+        state.canvas.tool = Tool::Select;
+    }
+}
+
+fn item(ui: &mut Ui, glyph: &str, title: &str, enabled: bool) -> bool {
+    let button = Button::new((icon(glyph), title))
+        .frame_when_inactive(false)
+        .min_size(eframe::egui::vec2(ui.available_width(), 28.0));
+    ui.add_enabled(enabled, button).clicked()
+}
+
+fn command(ui: &mut Ui, state: &mut State, command: Command) {
+    let entry = command.entry();
+    let mut button = Button::new((icon(entry.icon), entry.title))
+        .frame_when_inactive(false)
+        .min_size(eframe::egui::vec2(ui.available_width(), 28.0));
+    if let Some(keys) = &entry.shortcut {
+        button = button.shortcut_text(ui.ctx().format_shortcut(keys));
+    }
+    if ui.add_enabled(command.is_enabled(state), button).clicked() {
+        state.commands.push(command);
+        ui.close();
+    }
+}

@@ -1,0 +1,172 @@
+//! The robot's fields.
+
+use super::form::{Form, Number};
+use super::with_form;
+use crate::app::look::{Tokens, icon, icons, semibold};
+use crate::app::panels::row;
+use crate::app::panels::typed::Kind;
+use crate::app::state::State;
+use crate::scene::limits::{
+    ANGLE, CABLE_OFFSET, COORDINATE, DISK_RADIUS, DISK_THICKNESS, LENGTH, LINE_DIAMETER, Limits,
+    SEGMENTS,
+};
+use crate::scene::{Candidates, Contact, Robot};
+use eframe::egui::{self, Button, RichText, Ui, Vec2, WidgetInfo};
+
+/// Shows the robot's fields.
+pub fn show(ui: &mut Ui, state: &mut State) {
+    ui.label(RichText::new("Robot").font(semibold(14.0)));
+    ui.add_space(4.0);
+    with_form(state, |scene, form| {
+        let robot = &mut scene.robot;
+        backbone(ui, form, robot);
+        ui.add_space(12.0);
+        row::heading(ui, "Disks and cable");
+        disks(ui, form, robot);
+        ui.add_space(12.0);
+        row::heading(ui, "Base");
+        base(ui, form, robot);
+        ui.add_space(12.0);
+        row::heading(ui, "Contact");
+        contact(ui, form, &mut scene.contact);
+    });
+}
+
+fn length<'a>(key: &str, name: &'a str, limits: Limits) -> Number<'a> {
+    Number::length(format!("robot.{key}"), name, limits)
+}
+
+fn backbone(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
+    let number = length("length_mm", "Length", LENGTH);
+    form.number(ui, &number, &mut robot.length_mm);
+    let number = Number {
+        symbol: "n",
+        kind: Kind::Count,
+        step: robot.segments_per_bay,
+        ..length("segments", "Segments", SEGMENTS)
+    };
+    form.count(ui, &number, &mut robot.segments);
+    let choices: Vec<(u32, String)> = divisors(robot.segments)
+        .into_iter()
+        .map(|divisor| (divisor, divisor.to_string()))
+        .collect();
+    form.choice(
+        ui,
+        "robot.segments_per_bay",
+        (
+            "Segments per bay",
+            "Segments between neighbouring disks: any number that divides the segments",
+        ),
+        &mut robot.segments_per_bay,
+        &choices,
+    );
+    let number = length("backbone_diameter_mm", "Diameter", LINE_DIAMETER);
+    form.number(ui, &number, &mut robot.backbone_diameter_mm);
+}
+
+fn disks(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
+    let number = Number {
+        symbol: "a",
+        ..length("cable_offset_mm", "Cable offset", CABLE_OFFSET)
+    };
+    form.number(ui, &number, &mut robot.cable_offset_mm);
+    let number = length("cable_diameter_mm", "Cable diameter", LINE_DIAMETER);
+    form.number(ui, &number, &mut robot.cable_diameter_mm);
+    let number = Number {
+        limits: Limits {
+            min: robot.cable_offset_mm,
+            ..DISK_RADIUS
+        },
+        ..length("disk_radius_mm", "Disk radius", DISK_RADIUS)
+    };
+    let mut rim = robot.rim_mm();
+    let mut follows = robot.disk_radius_mm.is_none();
+    let changed = form.number_with(ui, &number, &mut rim, |ui| follow(ui, &mut follows));
+    if changed {
+        robot.disk_radius_mm = Some(rim);
+    } else if follows {
+        robot.disk_radius_mm = None;
+    } else if robot.disk_radius_mm.is_none() {
+        robot.disk_radius_mm = Some(rim);
+    }
+    let number = length("disk_thickness_mm", "Disk thickness", DISK_THICKNESS);
+    form.number(ui, &number, &mut robot.disk_thickness_mm);
+}
+
+/// Whether the rim follows the cable offset: a link that can be undone.
+fn follow(ui: &mut Ui, follows: &mut bool) {
+    let tokens = Tokens::in_ui(ui);
+    let ink = if *follows {
+        tokens.accent
+    } else {
+        tokens.muted
+    };
+    let button = Button::new(icon(icons::LINK).color(ink)).frame_when_inactive(false);
+    let tip = if *follows {
+        "The rim is where the cable is. Click to give it a radius of its own"
+    } else {
+        "Click to put the rim where the cable is"
+    };
+    let response = ui.add_sized(Vec2::splat(24.0), button).on_hover_text(tip);
+    let on = *follows;
+    response.widget_info(|| {
+        let name = "Disk radius follows the cable offset";
+        WidgetInfo::selected(egui::Role::CheckBox, ui.is_enabled(), on, name)
+    });
+    if response.clicked() {
+        *follows = !on;
+    }
+}
+
+fn base(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
+    for (axis, name) in ["Base x", "Base y"].into_iter().enumerate() {
+        let number = length(&format!("base_mm[{axis}]"), name, COORDINATE);
+        form.number(ui, &number, &mut robot.base_mm[axis]);
+    }
+    let number = Number::angle("robot.base_angle_deg", "Base angle", ANGLE);
+    form.number(ui, &number, &mut robot.base_angle_deg);
+}
+
+fn contact(ui: &mut Ui, form: &mut Form<'_>, contact: &mut Contact) {
+    if contact.candidates == Candidates::Listed {
+        let text = match contact.listed.len() {
+            1 => "1 listed node".to_owned(),
+            count => format!("{count} listed nodes"),
+        };
+        form.fixed(ui, "Parts", &text);
+        form.notes(ui, "contact");
+        return;
+    }
+    let choices = [
+        (Candidates::Nodes, "Nodes".to_owned()),
+        (Candidates::Body, "Body".to_owned()),
+    ];
+    form.choice(
+        ui,
+        "contact.candidates",
+        (
+            "Parts",
+            "What obstacles keep out: the nodes of backbone and cable, as in the paper, or the \
+             whole body at its own size",
+        ),
+        &mut contact.candidates,
+        &choices,
+    );
+}
+
+/// The numbers that divide a number, in order.
+fn divisors(number: u32) -> Vec<u32> {
+    (1..=number).filter(|d| number.is_multiple_of(*d)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bays_divide_the_segments() {
+        assert_eq!(divisors(18), [1, 2, 3, 6, 9, 18]);
+        assert_eq!(divisors(17), [1, 17]);
+        assert_eq!(divisors(1), [1]);
+    }
+}

@@ -1,0 +1,304 @@
+//! The outline: everything in the scene, to be found, chosen, named and
+//! deleted.
+
+mod add;
+
+use super::row::{self, Standing};
+use crate::app::commands::Command;
+use crate::app::look::{Tokens, colour, icon, icon_font, icons, theme_of};
+use crate::app::state::{Hovered, Selection, State};
+use crate::app::words;
+use crate::equilibrium::Class;
+use crate::scene::Scene;
+use eframe::egui::{
+    self, Align, Align2, Button, EventFilter, Id, Key, Layout, Modifiers, Rect, Response, RichText,
+    ScrollArea, Sense, Stroke, TextEdit, Ui, Vec2, WidgetInfo, vec2,
+};
+
+/// A name while it is being written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Renaming {
+    index: usize,
+    text: String,
+    /// Whether the field has had the focus yet.
+    begun: bool,
+}
+
+/// Shows the outline, as high as its rows but at most so many points.
+pub fn show(ui: &mut Ui, state: &mut State, most: f32) {
+    ui.spacing_mut().item_spacing.y = 2.0;
+    robot(ui, state);
+    ui.add_space(8.0);
+    head(ui, state);
+    let count = state.document.scene.obstacles.len();
+    if count == 0 {
+        empty(ui, state);
+        return;
+    }
+    let shares = shares(state);
+    ScrollArea::vertical()
+        .id_salt("obstacles")
+        .max_height((most - 80.0).max(4.0 * row::HEIGHT))
+        .auto_shrink([false, true])
+        .show_rows(ui, row::HEIGHT, count, |ui, rows| {
+            let pitch = row::HEIGHT + ui.spacing().item_spacing.y;
+            let top = ui.max_rect().top() - rows.start as f32 * pitch;
+            for index in rows {
+                obstacle(ui, state, index, shares.get(index).copied().flatten());
+            }
+            if let Selection::Obstacle(index) = state.selection
+                && state.selection != state.panels.inspected
+            {
+                // Chosen elsewhere, or by the keyboard: where is it?
+                let at = egui::pos2(ui.max_rect().left(), top + index as f32 * pitch);
+                let row = Rect::from_min_size(at, vec2(1.0, row::HEIGHT));
+                ui.scroll_to_rect(row, None);
+            }
+        });
+}
+
+fn head(ui: &mut Ui, state: &mut State) {
+    ui.horizontal(|ui| {
+        row::heading(ui, "Obstacles");
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            add::menu(ui, state);
+        });
+    });
+}
+
+fn empty(ui: &mut Ui, state: &mut State) {
+    let muted = Tokens::in_ui(ui).muted;
+    let text = "Nothing stands around the robot. Add an obstacle and drag it against the robot.";
+    ui.add(egui::Label::new(RichText::new(text).color(muted)).wrap());
+    ui.add_space(8.0);
+    if ui.button("Add a disc").clicked() {
+        add::disc(state);
+    }
+}
+
+fn robot(ui: &mut Ui, state: &mut State) {
+    let standing = Standing {
+        selected: state.selection == Selection::Robot,
+        lit: matches!(state.hovered, Hovered::Node(_)),
+    };
+    let response = row::row(ui, row_id(Selection::Robot), "Robot", standing);
+    contents(ui, response.rect, icons::ROBOT, "Robot");
+    if response.clicked() {
+        choose(&response, state, Selection::Robot);
+    }
+    keys(ui, &response, state, Selection::Robot);
+}
+
+fn obstacle(ui: &mut Ui, state: &mut State, index: usize, share: Option<f64>) {
+    let Some(found) = state.document.scene.obstacles.get(index) else {
+        return;
+    };
+    let glyph = words::shape_icon(&found.shape);
+    let name = words::obstacle(index, found);
+    let is_renamed = state
+        .panels
+        .renaming
+        .as_ref()
+        .is_some_and(|it| it.index == index);
+    if is_renamed {
+        rename(ui, state, glyph);
+        return;
+    }
+    let this = Selection::Obstacle(index);
+    let standing = Standing {
+        selected: state.selection == this,
+        lit: state.hovered == Hovered::Obstacle(index),
+    };
+    let response = row::row(ui, row_id(this), &name, standing);
+    contents(ui, response.rect, glyph, &name);
+    if let Some(share) = share {
+        presses(ui, &response, share);
+    }
+    if response.hovered() {
+        state.hovering = Hovered::Obstacle(index);
+    }
+    if response.double_clicked() {
+        begin(state, index);
+    } else if response.clicked() {
+        choose(&response, state, this);
+    }
+    if response.secondary_clicked() {
+        state.selection = this;
+    }
+    response.context_menu(|ui| menu(ui, state, index));
+    keys(ui, &response, state, this);
+}
+
+fn menu(ui: &mut Ui, state: &mut State, index: usize) {
+    if ui.button("Rename").clicked() {
+        begin(state, index);
+        ui.close();
+    }
+    if ui.button("Duplicate").clicked() {
+        add::twin(state, index);
+        ui.close();
+    }
+    let keys = Command::Delete.entry().shortcut;
+    let keys = keys.map_or(String::new(), |keys| ui.ctx().format_shortcut(&keys));
+    if ui.add(Button::new("Delete").shortcut_text(keys)).clicked() {
+        state.selection = Selection::Obstacle(index);
+        state.commands.push(Command::Delete);
+        ui.close();
+    }
+}
+
+fn choose(response: &Response, state: &mut State, selection: Selection) {
+    state.selection = selection;
+    response.request_focus();
+}
+
+/// What a row is, apart from where it stands in this frame.
+fn row_id(of: Selection) -> Id {
+    match of {
+        Selection::Nothing => Id::unique("outline"),
+        Selection::Robot => Id::unique("outline robot"),
+        Selection::Obstacle(index) => Id::unique(("outline obstacle", index)),
+    }
+}
+
+/// The icon and the name in a row.
+fn contents(ui: &mut Ui, rect: Rect, glyph: &str, name: &str) {
+    let tokens = Tokens::in_ui(ui);
+    let at = rect.left_center() + vec2(8.0, 0.0);
+    let font = icon_font(16.0);
+    ui.painter()
+        .text(at, egui::Align2::LEFT_CENTER, glyph, font, tokens.muted);
+    let mut room = rect;
+    room.min.x += 32.0;
+    room.max.x -= 24.0;
+    row::text(ui, room, name, Align::Min);
+}
+
+/// A dot in the contact scale at the end of a row.
+fn presses(ui: &mut Ui, response: &Response, share: f64) {
+    let theme = theme_of(ui);
+    let tokens = Tokens::of(theme);
+    let centre = response.rect.right_center() - vec2(14.0, 0.0);
+    let painter = ui.painter();
+    painter.circle_filled(centre, 3.5, colour(theme.contact(share)));
+    painter.circle_stroke(centre, 5.5, Stroke::new(1.0, tokens.muted));
+    response.clone().on_hover_text("The robot presses on it");
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_description("The robot presses on it");
+    });
+}
+
+/// The arrow keys, and those that act on a row.
+fn keys(ui: &Ui, response: &Response, state: &mut State, this: Selection) {
+    if !response.has_focus() {
+        return;
+    }
+    let filter = EventFilter {
+        vertical_arrows: true,
+        ..EventFilter::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+    let count = state.document.scene.obstacles.len();
+    let place = this.obstacle().map_or(0, |index| index + 1);
+    let to = if pressed(Key::ArrowDown) {
+        (place + 1).min(count)
+    } else if pressed(Key::ArrowUp) {
+        place.saturating_sub(1)
+    } else if pressed(Key::Home) {
+        0
+    } else if pressed(Key::End) {
+        count
+    } else {
+        if let Selection::Obstacle(index) = this
+            && pressed(Key::F2)
+        {
+            begin(state, index);
+        }
+        return;
+    };
+    state.selection = match to {
+        0 => Selection::Robot,
+        place => Selection::Obstacle(place - 1),
+    };
+    ui.memory_mut(|memory| memory.request_focus(row_id(state.selection)));
+}
+
+fn begin(state: &mut State, index: usize) {
+    let found = state.document.scene.obstacles.get(index);
+    if let Some(obstacle) = found {
+        state.selection = Selection::Obstacle(index);
+        state.panels.renaming = Some(Renaming {
+            index,
+            text: obstacle.name.clone().unwrap_or_default(),
+            begun: false,
+        });
+    }
+}
+
+/// A row whose name is being written.
+fn rename(ui: &mut Ui, state: &mut State, glyph: &str) {
+    let Some(mut renaming) = state.panels.renaming.take() else {
+        return;
+    };
+    let size = vec2(ui.available_width(), row::HEIGHT);
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    contents(ui, rect, glyph, "");
+    let mut room = rect;
+    room.min.x += 28.0;
+    let field = TextEdit::singleline(&mut renaming.text)
+        .id(Id::unique("outline renaming"))
+        .align(Align2::LEFT_CENTER)
+        .margin(vec2(4.0, 2.0))
+        .desired_width(room.width());
+    let response = ui.put(room, field).accessible_name("Name of the obstacle");
+    if !renaming.begun {
+        renaming.begun = true;
+        response.request_focus();
+        state.panels.renaming = Some(renaming);
+        return;
+    }
+    let given_up = ui.input(|input| input.key_pressed(Key::Escape));
+    if response.has_focus() && !given_up {
+        state.panels.renaming = Some(renaming);
+        return;
+    }
+    let index = renaming.index;
+    if !given_up && let Some(obstacle) = state.document.scene.obstacles.get_mut(index) {
+        let name = renaming.text.trim();
+        obstacle.name = (!name.is_empty()).then(|| name.to_owned());
+    }
+    let row = row_id(Selection::Obstacle(index));
+    ui.memory_mut(|memory| memory.request_focus(row));
+}
+
+/// By obstacle: how hard the robot presses on it, relative to the hardest
+/// pressed; `None` where it does not.
+fn shares(state: &State) -> Vec<Option<f64>> {
+    let scene: &Scene = &state.document.scene;
+    let mut shares = vec![None; scene.obstacles.len()];
+    let Some(solution) = state.live.solution() else {
+        return shares;
+    };
+    let pressing = solution.contacts.iter();
+    let pressing = pressing.filter(|it| it.class == Class::Pressing);
+    let most = pressing.clone().map(|it| it.multiplier).fold(0.0, f64::max);
+    for contact in pressing {
+        if let Some(share) = shares.get_mut(contact.obstacle) {
+            let this = contact.multiplier / most.max(f64::MIN_POSITIVE);
+            *share = Some(share.map_or(this, |other: f64| other.max(this)));
+        }
+    }
+    shares
+}
+
+/// A button that is only an icon, for a menu.
+fn icon_menu(ui: &mut Ui, glyph: &str, name: &str, add: impl FnOnce(&mut Ui)) {
+    let size = Vec2::splat(ui.spacing().interact_size.y);
+    let button = Button::new(icon(glyph))
+        .frame_when_inactive(false)
+        .min_size(size);
+    let (response, _) = egui::containers::menu::MenuButton::from_button(button).ui(ui, add);
+    let response = response.on_hover_text(name);
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, ui.is_enabled(), name));
+}

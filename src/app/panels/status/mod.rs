@@ -1,0 +1,150 @@
+//! The status chip: whether what is on the screen is to be believed, in a word
+//! and three numbers. Click it for the certificate.
+
+mod certificate;
+mod plot;
+mod verdict;
+
+pub use certificate::show as certificate;
+pub use verdict::Verdict;
+
+use super::row;
+use crate::app::look::{Tokens, icon_font};
+use crate::app::state::State;
+use crate::app::words;
+use crate::equilibrium::Solution;
+use crate::view::Quantity;
+use eframe::egui::{Align2, CornerRadius, FontId, Role, Sense, Ui, WidgetInfo, pos2, vec2};
+use web_time::Duration;
+
+/// Solves that take less than this many seconds are not told while they last:
+/// a word that flickers tells nothing.
+const PATIENCE: f64 = 0.25;
+/// Widths of the chip's parts, in points; fixed, so that nothing moves while
+/// the numbers do.
+const WORD: f32 = 124.0;
+const RESIDUAL: f32 = 56.0;
+const ITERATIONS: f32 = 48.0;
+const TIME: f32 = 60.0;
+/// Bars that are narrower than this, in points, have no room for the numbers.
+const ROOMY: f32 = 900.0;
+
+/// The chip's width, in points, in a bar of some width.
+pub fn width(bar: f32) -> f32 {
+    if bar < ROOMY {
+        WORD
+    } else {
+        WORD + RESIDUAL + ITERATIONS + TIME
+    }
+}
+
+/// Shows the chip at the right end of a bar of some width.
+pub fn show(ui: &mut Ui, state: &mut State, bar: f32) {
+    let verdict = steady(ui, state);
+    let size = vec2(width(bar), ui.spacing().interact_size.y);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let tokens = Tokens::in_ui(ui);
+    let painter = ui.painter();
+    if response.is_pointer_button_down_on() {
+        painter.rect_filled(rect, CornerRadius::same(6), tokens.held);
+    } else if response.hovered() || state.panels.certificate {
+        painter.rect_filled(rect, CornerRadius::same(6), tokens.hover);
+    }
+    row::focus(ui, &response);
+    let ink = verdict.colour(&tokens);
+    let middle = rect.center().y;
+    for (x, text, font) in [
+        (8.0, verdict.icon(), icon_font(16.0)),
+        (28.0, verdict.word(), FontId::proportional(14.0)),
+    ] {
+        let at = pos2(rect.left() + x, middle);
+        painter.text(at, Align2::LEFT_CENTER, text, font, ink);
+    }
+    if let Some(solution) = state.live.solution()
+        && bar >= ROOMY
+    {
+        let mut x = rect.left() + WORD;
+        for (text, width) in [
+            (residual(solution), RESIDUAL),
+            (format!("{} it", solution.iterations), ITERATIONS),
+            (time(state.live.time()), TIME),
+        ] {
+            x += width;
+            let (at, font) = (pos2(x - 8.0, middle), FontId::proportional(12.0));
+            painter.text(at, Align2::RIGHT_CENTER, text, font, tokens.muted);
+        }
+    }
+    response.widget_info(|| {
+        let told = format!("Status: {}", verdict.word());
+        WidgetInfo::labeled(Role::Button, ui.is_enabled(), told)
+    });
+    if response.on_hover_text(tip(state, verdict)).clicked() {
+        state.panels.certificate ^= true;
+    }
+}
+
+/// The verdict, or what it was before while a solve has only just begun.
+fn steady(ui: &Ui, state: &mut State) -> Verdict {
+    let now = ui.input(|input| input.time);
+    let verdict = Verdict::of(&state.live);
+    let told = &mut state.panels.told;
+    if verdict != Verdict::Solving {
+        *told = Some((verdict, now));
+        return verdict;
+    }
+    match *told {
+        Some((before, since)) if now - since < PATIENCE => {
+            let left = Duration::from_secs_f64(PATIENCE);
+            ui.ctx().request_repaint_after(left);
+            before
+        }
+        _ => verdict,
+    }
+}
+
+fn tip(state: &State, verdict: Verdict) -> String {
+    let Some(solution) = state.live.solution() else {
+        return "The solver is looking for the robot's shape".to_owned();
+    };
+    let what = match verdict {
+        Verdict::Solving => "The solver is looking for the robot's shape.".to_owned(),
+        _ => words::outcome(solution, &state.document.scene),
+    };
+    format!(
+        "{what}\nKKT residual {}, {} iterations, {}\nClick for the certificate",
+        residual(solution),
+        solution.iterations,
+        time(state.live.time())
+    )
+}
+
+fn residual(solution: &Solution) -> String {
+    Quantity::order(solution.certificate.residual(), "").digits
+}
+
+/// A time with as many digits as mean something.
+fn time(time: Duration) -> String {
+    let micros = time.as_secs_f64() * 1e6;
+    let (value, unit) = match micros {
+        ..999.5 => (micros, "µs"),
+        ..999_500.0 => (micros / 1e3, "ms"),
+        _ => (micros / 1e6, "s"),
+    };
+    let decimals = if value < 10.0 && unit != "µs" { 1 } else { 0 };
+    Quantity::fixed(value, decimals, unit).text()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_have_the_unit_that_suits_them() {
+        let check = |micros, expect: &str| assert_eq!(time(Duration::from_micros(micros)), expect);
+        check(14, "14 µs");
+        check(999, "999 µs");
+        check(2_340, "2.3 ms");
+        check(23_400, "23 ms");
+        check(1_500_000, "1.5 s");
+    }
+}

@@ -1,0 +1,146 @@
+//! The robot in space: an orbit camera around what the graphics processor
+//! draws.
+
+use super::look::{Tokens, theme_of};
+use super::state::State;
+use crate::equilibrium::Solution;
+use crate::render::{Camera, Mesh, RobotSizes, mesh, solid_callback};
+use crate::view::Theme;
+use eframe::egui::{Align2, FontId, PointerButton, Rect, Response, Sense, Ui, WidgetInfo, vec2};
+use std::sync::Arc;
+
+/// The view's camera, and the solids as last built.
+#[derive(Debug, Default)]
+pub struct Space {
+    camera: Option<Camera>,
+    /// Fit the camera at the next frame.
+    fit: bool,
+    built: Option<Built>,
+}
+
+/// Solids, and what they were built from.
+#[derive(Debug)]
+struct Built {
+    revision: u64,
+    theme: Theme,
+    mesh: Arc<Mesh>,
+}
+
+impl Space {
+    /// Shows everything at the next frame.
+    pub fn fit_soon(&mut self) {
+        self.fit = true;
+    }
+}
+
+/// Shows the view in all the room there is.
+pub fn show(ui: &mut Ui, state: &mut State) {
+    let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+    response
+        .widget_info(|| WidgetInfo::labeled(eframe::egui::Role::Canvas, true, "Robot in space"));
+    if rect.width() < 8.0 || rect.height() < 8.0 {
+        return;
+    }
+    let theme = theme_of(ui);
+    let solids = solids(state, theme);
+    let aspect = f64::from(rect.width() / rect.height());
+    let space = &mut state.space;
+    let camera = match (&mut space.camera, std::mem::take(&mut space.fit)) {
+        (Some(camera), false) => camera,
+        (camera, _) => camera.insert(Camera::fitting(&solids.focus, aspect)),
+    };
+    navigate(ui, &response, camera, rect);
+    if response.double_clicked() {
+        *camera = Camera::fitting(&solids.focus, aspect);
+    }
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(rect, 0.0, Tokens::of(theme).canvas);
+    painter.add(solid_callback(rect, solids, *camera, theme));
+    let hint = "Drag to turn, right-drag to move, double-click to reset";
+    if response.hovered() {
+        painter.text(
+            rect.center_bottom() - vec2(0.0, 16.0),
+            Align2::CENTER_BOTTOM,
+            hint,
+            FontId::proportional(12.0),
+            Tokens::of(theme).muted,
+        );
+    }
+}
+
+/// The solids of what is shown, built again only when that has changed.
+fn solids(state: &mut State, theme: Theme) -> Arc<Mesh> {
+    let revision = state.live.revision();
+    if let Some(built) = &state.space.built
+        && built.revision == revision
+        && built.theme == theme
+    {
+        return Arc::clone(&built.mesh);
+    }
+    let sizes = RobotSizes::of(&state.document.scene.robot);
+    let nothing = Solution::default();
+    let solution = state.live.solution().unwrap_or(&nothing);
+    let standing = &state.live.drawing().standing;
+    let mesh = Arc::new(mesh(
+        state.live.problem(),
+        solution,
+        &sizes,
+        theme,
+        standing,
+    ));
+    state.space.built = Some(Built {
+        revision,
+        theme,
+        mesh: Arc::clone(&mesh),
+    });
+    mesh
+}
+
+fn navigate(ui: &Ui, response: &Response, camera: &mut Camera, rect: Rect) {
+    let by = response.drag_delta();
+    let (right, down) = (f64::from(by.x), f64::from(by.y));
+    let (shift, zoom, scroll, touch) = ui.input(|input| {
+        (
+            input.modifiers.shift,
+            f64::from(input.zoom_delta()),
+            f64::from(input.smooth_scroll_delta().y),
+            input.multi_touch(),
+        )
+    });
+    let height = f64::from(rect.height());
+    if let Some(touch) = touch {
+        let by = touch.translation_delta;
+        camera.pan(f64::from(by.x), f64::from(by.y), height);
+    } else if response.dragged_by(PointerButton::Primary) && !shift {
+        camera.orbit(right, down);
+    } else if response.dragged() {
+        camera.pan(right, down, height);
+    }
+    if response.contains_pointer() {
+        let factor = zoom * (scroll / 240.0).exp();
+        if factor != 1.0 {
+            camera.zoom(factor);
+        }
+    }
+    if response.has_focus() {
+        turn_by_keys(ui, camera);
+    }
+}
+
+/// Arrow keys turn the view that has the focus.
+fn turn_by_keys(ui: &Ui, camera: &mut Camera) {
+    use eframe::egui::Key;
+    const STEP: f64 = 12.0;
+    ui.input(|input| {
+        for (key, right, down) in [
+            (Key::ArrowLeft, -STEP, 0.0),
+            (Key::ArrowRight, STEP, 0.0),
+            (Key::ArrowUp, 0.0, -STEP),
+            (Key::ArrowDown, 0.0, STEP),
+        ] {
+            if input.key_pressed(key) {
+                camera.orbit(right, down);
+            }
+        }
+    });
+}

@@ -1,0 +1,478 @@
+//! The panels, worked as a person would, with the keyboard and the pointer, and
+//! found by the names that a screen reader tells.
+
+use eframe::egui::{Key, Theme, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use sinew::app::backend::Inline;
+use sinew::app::panels::tables;
+use sinew::app::{Preferences, Selection, Sinew, State};
+use sinew::equilibrium::Certificate;
+use sinew::forces::{Statics, Stiffness};
+use sinew::scene::{Scene, Shape};
+
+type Window = Harness<'static, Sinew>;
+
+/// A window on a scene, or on the first example, solved inline so that nothing
+/// races.
+fn window(scene: Option<Scene>, size: [f32; 2], theme: Theme) -> Window {
+    let preferences = Preferences {
+        theme: theme.into(),
+        ..Preferences::default()
+    };
+    let mut window = Harness::builder()
+        .with_size(vec2(size[0], size[1]))
+        .with_pixels_per_point(1.0)
+        .with_theme(theme)
+        .wgpu()
+        .build_eframe(move |cc| {
+            let backend = Box::new(Inline::to_the_end());
+            Sinew::new(&cc.egui_ctx, scene, backend, preferences).unwrap()
+        });
+    window.run();
+    window
+}
+
+fn first() -> Window {
+    window(None, [1280.0, 800.0], Theme::Light)
+}
+
+fn scene(window: &Window) -> &Scene {
+    &window.state().state().document.scene
+}
+
+fn state(window: &Window) -> &State {
+    window.state().state()
+}
+
+/// Types into a field in the place of what is there, and presses Enter.
+fn enter(window: &mut Window, name: &str, text: &str) {
+    window.get_by_label(name).click();
+    window.run();
+    window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::A);
+    window.run();
+    if text.is_empty() {
+        window.key_press(Key::Delete);
+    } else {
+        let field = window.get_by_label(name);
+        field.type_text(text);
+    }
+    window.run();
+    window.key_press(Key::Enter);
+    window.run();
+}
+
+fn select(window: &mut Window, name: &str) {
+    window.get_by_label(name).click();
+    window.run();
+}
+
+fn radius(window: &Window, index: usize) -> f64 {
+    match scene(window).obstacles[index].shape {
+        Shape::Disc { radius_mm, .. } => radius_mm,
+        _ => panic!("not a disc"),
+    }
+}
+
+/// The names of the discs in the first example.
+fn discs(window: &Window) -> Vec<String> {
+    let obstacles = scene(window).obstacles.iter();
+    obstacles.map(|it| it.name.clone().unwrap()).collect()
+}
+
+fn told(window: &Window, text: &str) -> bool {
+    window.query_all_by_label_contains(text).next().is_some()
+}
+
+#[test]
+fn a_radius_is_typed_with_or_without_its_unit() {
+    let mut window = first();
+    let names = discs(&window);
+    select(&mut window, &names[0]);
+    assert_eq!(state(&window).selection, Selection::Obstacle(0));
+    let check = |window: &mut Window, text: &str, expect: f64| {
+        enter(window, "Radius", text);
+        assert_eq!(radius(window, 0), expect, "{text}");
+    };
+    check(&mut window, "12", 12.0);
+    check(&mut window, "12,5", 12.5);
+    check(&mut window, "1.1 cm", 11.0);
+    check(&mut window, "0.01 m", 10.0);
+    check(&mut window, "9.4321 mm", 9.4321);
+    assert!(state(&window).live.is_settled());
+    // To look at a field and leave it is not to round it.
+    window.get_by_label("Radius").click();
+    window.run();
+    window.key_press(Key::Enter);
+    window.run();
+    assert_eq!(radius(&window, 0), 9.4321);
+}
+
+#[test]
+fn nonsense_is_refused_under_its_field_and_the_value_stays() {
+    let mut window = first();
+    let names = discs(&window);
+    select(&mut window, &names[0]);
+    let before = radius(&window, 0);
+    for (text, complaint) in [
+        ("abc", "“abc” is no number"),
+        ("NaN", "“NaN” is no number"),
+        ("1e999", "1e999 is too large"),
+        ("", "Type a number"),
+        ("5 ft", "“ft” is no unit here"),
+        (
+            "-3",
+            "-3 is out of range; type a value from 0.001 to 1000000 mm",
+        ),
+    ] {
+        enter(&mut window, "Radius", text);
+        assert_eq!(radius(&window, 0), before, "{text}");
+        assert!(told(&window, complaint), "{text}: {complaint}");
+        let note = window.get_by_label_contains(complaint).rect();
+        let field = window.get_by_label("Radius").rect();
+        assert!(note.top() >= field.bottom() && note.top() - field.bottom() < 12.0);
+    }
+    // A good value takes the complaint away, and so does another selection.
+    enter(&mut window, "Radius", "11");
+    assert!(!told(&window, "out of range"));
+    enter(&mut window, "Radius", "x");
+    assert!(told(&window, "no number"));
+    select(&mut window, &names[1]);
+    select(&mut window, &names[0]);
+    assert!(!told(&window, "no number"));
+}
+
+#[test]
+fn an_obstacle_is_renamed_in_the_outline_and_in_the_inspector() {
+    let mut window = first();
+    let names = discs(&window);
+    select(&mut window, &names[0]);
+    window.key_press(Key::F2);
+    window.run();
+    window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::A);
+    window.run();
+    window
+        .get_by_label("Name of the obstacle")
+        .type_text("post");
+    window.run();
+    window.key_press(Key::Enter);
+    window.run();
+    assert_eq!(scene(&window).obstacles[0].name.as_deref(), Some("post"));
+    window.get_by_label("post");
+    // Escape leaves the name as it was.
+    window.key_press(Key::F2);
+    window.run();
+    window.get_by_label("Name of the obstacle").type_text("no");
+    window.run();
+    window.key_press(Key::Escape);
+    window.run();
+    assert_eq!(scene(&window).obstacles[0].name.as_deref(), Some("post"));
+    // A name that is emptied leaves the shape's word and place.
+    enter(&mut window, "Name", "");
+    assert_eq!(scene(&window).obstacles[0].name, None);
+    window.get_by_label("Disc 1");
+}
+
+#[test]
+fn a_double_click_begins_a_name() {
+    let mut window = first();
+    let names = discs(&window);
+    for _ in 0..2 {
+        window.get_by_label(&names[1]).click();
+        window.step();
+    }
+    window.run();
+    assert!(window.query_by_label("Name of the obstacle").is_some());
+}
+
+#[test]
+fn arrow_keys_move_the_selection() {
+    let mut window = first();
+    select(&mut window, "Robot");
+    assert_eq!(state(&window).selection, Selection::Robot);
+    for (key, expect) in [
+        (Key::ArrowDown, Selection::Obstacle(0)),
+        (Key::ArrowDown, Selection::Obstacle(1)),
+        (Key::ArrowDown, Selection::Obstacle(1)),
+        (Key::Home, Selection::Robot),
+        (Key::End, Selection::Obstacle(1)),
+        (Key::ArrowUp, Selection::Obstacle(0)),
+    ] {
+        window.key_press(key);
+        window.run();
+        assert_eq!(state(&window).selection, expect, "{key:?}");
+    }
+    window.key_press(Key::Delete);
+    window.run();
+    assert_eq!(scene(&window).obstacles.len(), 1);
+}
+
+#[test]
+fn obstacles_are_added_duplicated_and_deleted() {
+    let mut window = window(Some(Scene::default()), [1280.0, 800.0], Theme::Light);
+    assert!(told(&window, "Nothing stands around the robot"));
+    select(&mut window, "Add a disc");
+    assert_eq!(scene(&window).obstacles.len(), 1);
+    assert_eq!(state(&window).selection, Selection::Obstacle(0));
+    for (item, expect) in [("Duplicate", 2), ("Delete", 1)] {
+        window.get_by_label("Disc 1").click_secondary();
+        window.run();
+        let found: Vec<_> = window.query_all_by_label_contains(item).collect();
+        found.last().unwrap().click();
+        drop(found);
+        window.run();
+        assert_eq!(scene(&window).obstacles.len(), expect, "{item}");
+    }
+    select(&mut window, "Add an obstacle");
+    select(&mut window, "Capsule");
+    assert!(matches!(
+        scene(&window).obstacles[1].shape,
+        Shape::Capsule { .. }
+    ));
+    assert!(state(&window).live.is_settled());
+}
+
+#[test]
+fn segments_come_in_whole_bays() {
+    let mut window = first();
+    select(&mut window, "Robot");
+    enter(&mut window, "Segments", "24");
+    assert_eq!(scene(&window).robot.segments, 24);
+    enter(&mut window, "Segments", "17");
+    assert_eq!(scene(&window).robot.segments, 24);
+    assert!(told(&window, "With 2 to a bay, type 16 or 18"));
+    enter(&mut window, "Segments", "2.5");
+    assert!(told(&window, "2.5 is not a whole number"));
+    // The choice is of divisors only.
+    window.get_by_label("Segments per bay").click();
+    window.run();
+    assert!(window.query_by_label("5").is_none());
+    select(&mut window, "3");
+    assert_eq!(scene(&window).robot.segments_per_bay, 3);
+    assert!(state(&window).live.is_settled());
+}
+
+#[test]
+fn what_another_field_forbids_is_told_under_that_field() {
+    let mut window = first();
+    select(&mut window, "Robot");
+    enter(&mut window, "Disk radius", "9");
+    assert_eq!(scene(&window).robot.disk_radius_mm, Some(9.0));
+    enter(&mut window, "Cable offset", "9.5");
+    assert_eq!(scene(&window).robot.cable_offset_mm, 8.0, "taken back");
+    let note = window
+        .get_by_label_contains("Disk radius is 9 mm; set it to a value from the cable offset, 9.5")
+        .rect();
+    let field = window.get_by_label("Disk radius").rect();
+    assert!(note.top() >= field.bottom() && note.top() - field.bottom() < 12.0);
+    // With the rim where the cable is, the offset is free again.
+    select(&mut window, "Disk radius follows the cable offset");
+    assert_eq!(scene(&window).robot.disk_radius_mm, None);
+    enter(&mut window, "Cable offset", "9.5");
+    assert_eq!(scene(&window).robot.cable_offset_mm, 9.5);
+    assert!(!told(&window, "Taken back"));
+}
+
+#[test]
+fn an_obstacle_over_the_base_is_taken_back_with_its_reason() {
+    let mut window = first();
+    let names = discs(&window);
+    select(&mut window, &names[0]);
+    let before = scene(&window).clone();
+    enter(&mut window, "Centre y", "0");
+    assert_eq!(
+        *scene(&window),
+        before,
+        "centre x alone is clear of the base"
+    );
+}
+
+#[test]
+fn the_certificate_tells_the_numbers_of_the_solution() {
+    let mut window = first();
+    window.get_by_label("Status: Converged").click();
+    window.run();
+    let certificate = state(&window).live.solution().unwrap().certificate;
+    let number = |value| sinew::view::Quantity::significant(value, "").digits;
+    for (name, value) in [
+        ("Stationarity", certificate.stationarity),
+        ("Links", certificate.links),
+        ("Penetration", certificate.penetration),
+        ("Complementarity", certificate.complementarity),
+        ("Dual feasibility", certificate.dual),
+    ] {
+        assert!(value <= Certificate::BOUND);
+        window.get_by_label(&format!("{name} {} ≤ 1×10⁻⁹", number(value)));
+    }
+    let count = state(&window).live.solution().unwrap().trace.len();
+    window.get_by_label(&format!("Last solve, {count} iterations"));
+    window.get_by_label("Status: Converged").click();
+    window.run();
+    assert!(!told(&window, "Stationarity"));
+}
+
+#[test]
+fn a_branch_that_ends_is_told_with_its_reason() {
+    let mut free = Scene::default();
+    // The linkages of the free robot lock before this.
+    free.actuation.pull_mm = 20.0;
+    free.obstacles.push(
+        Shape::Disc {
+            center_mm: [30.0, 60.0],
+            radius_mm: 15.0,
+        }
+        .into(),
+    );
+    let mut window = window(Some(free), [1280.0, 800.0], Theme::Light);
+    let word = match state(&window).live.solution().unwrap().status.word() {
+        "branch_ended" => "Status: Branch ended",
+        "infeasible" => "Status: No shape",
+        "converged" => "Status: Converged",
+        other => panic!("{other}"),
+    };
+    select(&mut window, word);
+    let reason = state(&window).live.solution().unwrap().status.reason();
+    assert!(told(&window, &reason[1..]), "{reason}");
+}
+
+#[test]
+fn nothing_moves_when_numbers_change() {
+    let mut window = first();
+    let places = |window: &Window| {
+        let labels = ["Status: Converged", "Robot", "Pull", "Title"];
+        let rects = labels.map(|label| {
+            let all = window.query_all_by_label(label);
+            all.map(|node| node.rect()).collect::<Vec<_>>()
+        });
+        let facts = window.query_all_by_label_contains("Tip ");
+        (rects, facts.map(|node| node.rect()).collect::<Vec<_>>())
+    };
+    let before = places(&window);
+    assert_eq!(before.1.len(), 2);
+    for pull in [0.3, 12.345, 4.9] {
+        window
+            .state_mut()
+            .state_mut()
+            .document
+            .scene
+            .actuation
+            .pull_mm = pull;
+        window.run();
+        assert_eq!(places(&window), before, "{pull}");
+    }
+}
+
+/// A table of a state, by itself.
+fn table(
+    of: impl Fn(&mut eframe::egui::Ui, &mut State) + 'static,
+    selection: Selection,
+) -> Harness<'static, State> {
+    let scene = Scene::from_toml(include_str!("../assets/scenes/two-discs.toml")).unwrap();
+    let document = sinew::app::Document::new(scene).unwrap();
+    let backend = Box::new(Inline::to_the_end());
+    let mut state = State::new(document, backend, Preferences::default());
+    state.poll();
+    state.selection = selection;
+    let mut harness = Harness::builder()
+        .with_size(vec2(820.0, 160.0))
+        .with_pixels_per_point(1.0)
+        .with_context_setup(sinew::app::look::install)
+        .wgpu()
+        .build_ui_state(move |ui, state| of(ui, state), state);
+    harness.run();
+    harness
+}
+
+#[test]
+fn the_contacts_table_selects_and_tells_forces_where_they_are_known() {
+    let with_forces = |ui: &mut eframe::egui::Ui, state: &mut State| {
+        let stiffness = Stiffness::new(1e-3).unwrap();
+        let solution = state.live.solution().unwrap();
+        let forces = Statics::of(state.live.problem(), solution, stiffness);
+        tables::contacts(ui, state, Some(&forces));
+    };
+    let mut table = table(with_forces, Selection::Nothing);
+    table.get_by_label("Force, N");
+    let rows: Vec<_> = table.query_all_by_label_contains(" presses on ").collect();
+    assert_eq!(rows.len(), 2);
+    rows[1].click();
+    drop(rows);
+    table.run();
+    let obstacle = table.state().live.solution().unwrap().contacts[1].obstacle;
+    assert_eq!(table.state().selection, Selection::Obstacle(obstacle));
+}
+
+#[test]
+fn without_a_stiffness_there_is_no_column_of_forces() {
+    let table = table(
+        |ui, state| tables::contacts(ui, state, None),
+        Selection::Nothing,
+    );
+    assert!(table.query_by_label("Force, N").is_none());
+    let multiplier = table.state().live.solution().unwrap().contacts[0].multiplier;
+    let digits = sinew::view::Quantity::significant(1e-3 * multiplier, "").digits;
+    assert!(
+        table.query_all_by_label(&digits).next().is_some(),
+        "{digits}"
+    );
+}
+
+#[test]
+fn the_obstacles_table_selects() {
+    let mut table = table(tables::obstacles, Selection::Nothing);
+    let name = table.state().document.scene.obstacles[1]
+        .name
+        .clone()
+        .unwrap();
+    let rows: Vec<_> = table.query_all_by_label(&name).collect();
+    rows[0].click();
+    drop(rows);
+    table.run();
+    assert_eq!(table.state().selection, Selection::Obstacle(1));
+    assert_eq!(table.query_all_by_label("presses").count(), 2);
+}
+
+/// Pictures to look at: `SINEW_PICTURES=folder cargo test --test panels`.
+#[test]
+fn pictures() {
+    let Some(folder) = std::env::var_os("SINEW_PICTURES") else {
+        return;
+    };
+    let folder = std::path::PathBuf::from(folder);
+    let shapes = Scene::from_toml(include_str!("../assets/scenes/shapes.toml")).unwrap();
+    for (theme, name) in [(Theme::Light, "light"), (Theme::Dark, "dark")] {
+        for size in [[1280.0, 800.0], [1440.0, 900.0]] {
+            let save = |window: &mut Window, what: &str| {
+                let file = folder.join(format!("{what}-{name}-{}.png", size[0]));
+                window.render().unwrap().save(file).unwrap();
+            };
+            let mut window = window(None, size, theme);
+            save(&mut window, "summary");
+            select(&mut window, "Robot");
+            enter(&mut window, "Length", "abc");
+            save(&mut window, "robot");
+            select(&mut window, "Status: Converged");
+            save(&mut window, "certificate");
+            let mut window = self::window(Some(shapes.clone()), size, theme);
+            select(&mut window, "wedge");
+            save(&mut window, "polygon");
+            select(&mut window, "block");
+            save(&mut window, "box");
+        }
+    }
+    let mut table = table(
+        |ui, state| tables::contacts(ui, state, None),
+        Selection::Obstacle(0),
+    );
+    table
+        .render()
+        .unwrap()
+        .save(folder.join("contacts.png"))
+        .unwrap();
+    let mut table = self::table(tables::obstacles, Selection::Nothing);
+    table
+        .render()
+        .unwrap()
+        .save(folder.join("obstacles.png"))
+        .unwrap();
+}
