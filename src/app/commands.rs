@@ -8,11 +8,33 @@ pub use run::run;
 use super::canvas::Tool;
 use super::look::icons;
 use super::state::State;
-use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
+use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, Popup};
 
 /// Something the user can ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
+    /// Begins with the paper's robot and nothing around it.
+    New,
+    /// Opens a file.
+    Open,
+    /// Shows the examples.
+    Examples,
+    /// Saves the scene.
+    Save,
+    /// Saves the scene in another place.
+    SaveAs,
+    /// Brings in a measured backbone or force readings.
+    ImportMeasurements,
+    /// Lays a photograph behind the robot.
+    PlacePhoto,
+    /// Writes a picture of lines.
+    ExportSvg,
+    /// Writes a picture of pixels.
+    ExportPng,
+    /// Copies a link that holds the scene.
+    CopyLink,
+    /// Opens a link that was copied.
+    PasteLink,
     /// Takes the last step back.
     Undo,
     /// Takes the step again.
@@ -49,11 +71,25 @@ pub enum Command {
     Trace,
     /// Changes from light to dark or back.
     Theme,
+    /// Enlarges everything.
+    Larger,
+    /// Makes everything smaller.
+    Smaller,
+    /// Gives everything its usual size.
+    UsualSize,
+    /// Lists all commands.
+    Palette,
+    /// Shows the settings.
+    Settings,
+    /// Explains.
+    Help,
 }
 
 /// What commands are listed under.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
+    /// Files, pictures and links.
+    File,
     /// Steps and what is selected.
     Edit,
     /// What clicks on the canvas do.
@@ -62,6 +98,32 @@ pub enum Group {
     Robot,
     /// What is shown.
     View,
+    /// What explains and what suits everything else.
+    Help,
+}
+
+impl Group {
+    /// All groups, in the order of menus.
+    pub const ALL: [Group; 6] = [
+        Group::File,
+        Group::Edit,
+        Group::Tools,
+        Group::Robot,
+        Group::View,
+        Group::Help,
+    ];
+
+    /// What the group is called.
+    pub fn title(self) -> &'static str {
+        match self {
+            Group::File => "File",
+            Group::Edit => "Edit",
+            Group::Tools => "Tools",
+            Group::Robot => "Robot",
+            Group::View => "View",
+            Group::Help => "Help",
+        }
+    }
 }
 
 /// What there is to know of a command.
@@ -114,6 +176,17 @@ const fn ctrl_shift(key: Key) -> Option<KeyboardShortcut> {
 /// All commands, in the order of menus.
 #[rustfmt::skip]
 pub const ALL: &[Entry] = &[
+    entry(Command::New, Group::File, "New scene", icons::FILE_PLUS, ctrl(Key::N)),
+    entry(Command::Open, Group::File, "Open …", icons::FOLDER_OPEN, ctrl(Key::O)),
+    entry(Command::Examples, Group::File, "Examples …", icons::GRADUATION_CAP, ctrl(Key::E)),
+    entry(Command::Save, Group::File, "Save", icons::FLOPPY_DISK, ctrl(Key::S)),
+    entry(Command::SaveAs, Group::File, "Save as …", icons::FLOPPY_DISK, ctrl_shift(Key::S)),
+    entry(Command::ImportMeasurements, Group::File, "Import measurements …", icons::TABLE, ctrl(Key::I)),
+    entry(Command::PlacePhoto, Group::File, "Place a photograph …", icons::IMAGE, ctrl_shift(Key::I)),
+    entry(Command::ExportSvg, Group::File, "Export as SVG …", icons::EXPORT, ctrl_shift(Key::V)),
+    entry(Command::ExportPng, Group::File, "Export as PNG …", icons::EXPORT, ctrl_shift(Key::E)),
+    entry(Command::CopyLink, Group::File, "Copy a link to the scene", icons::LINK, ctrl_shift(Key::C)),
+    entry(Command::PasteLink, Group::File, "Open the link that was copied", icons::ARROW_SQUARE_OUT, ctrl_shift(Key::O)),
     entry(Command::Undo, Group::Edit, "Undo", icons::ARROW_U_UP_LEFT, ctrl(Key::Z)),
     entry(Command::Redo, Group::Edit, "Redo", icons::ARROW_U_UP_RIGHT, ctrl_shift(Key::Z)),
     entry(Command::Duplicate, Group::Edit, "Duplicate", icons::COPY, ctrl(Key::D)),
@@ -136,7 +209,22 @@ pub const ALL: &[Entry] = &[
     entry(Command::Field, Group::View, "Show or hide the clearance field", icons::WAVES, key(Key::C)),
     entry(Command::Grid, Group::View, "Show or hide the grid", icons::GRID_FOUR, key(Key::G)),
     entry(Command::Trace, Group::View, "Show or hide the tip's trace", icons::PATH, key(Key::T)),
+    entry(Command::Larger, Group::View, "Enlarge everything", icons::PLUS, ctrl(Key::Plus)),
+    entry(Command::Smaller, Group::View, "Make everything smaller", icons::MINUS, ctrl(Key::Minus)),
+    entry(Command::UsualSize, Group::View, "Usual size", icons::TEXT_AA, ctrl(Key::Num0)),
     entry(Command::Theme, Group::View, "Change between light and dark", icons::MOON, ctrl_shift(Key::L)),
+    entry(Command::Palette, Group::Help, "Search all commands", icons::MAGNIFYING_GLASS, ctrl(Key::K)),
+    entry(Command::Settings, Group::Help, "Settings", icons::GEAR_SIX, ctrl(Key::Comma)),
+    entry(Command::Help, Group::Help, "Help", icons::QUESTION, key(Key::F1)),
+];
+
+/// Keys that other programs have accustomed people to.
+const ALIASES: &[(Command, Option<KeyboardShortcut>)] = &[
+    (Command::Palette, ctrl_shift(Key::P)),
+    (Command::Redo, ctrl(Key::Y)),
+    (Command::Help, key(Key::Questionmark)),
+    (Command::Larger, ctrl(Key::Equals)),
+    (Command::Delete, key(Key::Backspace)),
 ];
 
 impl Command {
@@ -171,20 +259,23 @@ impl Command {
 }
 
 /// The commands whose keys were pressed. Keys without Ctrl count only while no
-/// text is being written.
+/// text is being written, and Escape closes an open menu first.
 pub fn pressed(ctx: &Context) -> Vec<Command> {
     let writing = ctx.text_edit_focused();
+    let menu = Popup::is_any_open(ctx);
+    let listed = ALL.iter().map(|entry| (entry.command, entry.shortcut));
+    let mut keys: Vec<_> = listed.chain(ALIASES.iter().copied()).collect();
+    // Longer combinations first: Ctrl+Shift+Z is not Ctrl+Z.
+    keys.sort_by_key(|(_, keys)| !keys.is_some_and(|keys| keys.modifiers.shift));
     ctx.input_mut(|input| {
         let mut found = Vec::new();
-        // Longer combinations first: Ctrl+Shift+Z is not Ctrl+Z.
-        let mut entries: Vec<&Entry> = ALL.iter().collect();
-        entries.sort_by_key(|entry| !entry.shortcut.is_some_and(|keys| keys.modifiers.shift));
-        for entry in entries {
-            if let Some(keys) = &entry.shortcut
+        for (command, keys) in keys {
+            if let Some(keys) = &keys
                 && (keys.modifiers.command || !writing)
+                && !(menu && keys.logical_key == Key::Escape)
                 && input.consume_shortcut(keys)
             {
-                found.push(entry.command);
+                found.push(command);
             }
         }
         found
@@ -199,6 +290,9 @@ mod tests {
     fn every_command_has_one_entry_and_no_two_share_their_keys() {
         for (index, entry) in ALL.iter().enumerate() {
             assert_eq!(entry.command.entry().title, entry.title);
+            for (_, alias) in ALIASES {
+                assert_ne!(*alias, entry.shortcut, "{}", entry.title);
+            }
             for other in &ALL[index + 1..] {
                 assert_ne!(entry.command, other.command);
                 assert!(

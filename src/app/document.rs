@@ -81,6 +81,17 @@ impl Document {
         self.kept.clone_from(&self.scene);
     }
 
+    /// Notes that this scene is kept, which may be an older one than the
+    /// present.
+    pub fn mark_kept_as(&mut self, scene: Scene) {
+        self.kept = scene;
+    }
+
+    /// Notes that the scene is nowhere kept as it is.
+    pub fn mark_unkept(&mut self) {
+        self.kept.version = 0;
+    }
+
     /// What the document is called: its title, its file's name or neither.
     pub fn name(&self) -> String {
         if let Some(title) = &self.scene.title {

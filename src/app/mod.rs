@@ -10,15 +10,21 @@
 pub mod backend;
 mod canvas;
 mod commands;
+mod dock;
 mod document;
 pub mod examples;
+pub mod files;
 mod history;
 pub mod link;
 mod live;
 pub mod look;
+mod measured;
+mod notices;
 pub mod panels;
-mod panels;
+mod photo;
+pub mod platform;
 pub mod plots;
+mod sheets;
 mod space;
 mod state;
 mod transport;
@@ -34,6 +40,10 @@ pub use state::{Hovered, Preferences, Selection, State, Views};
 use crate::scene::Scene;
 use backend::SolverBackend;
 use eframe::egui::{self, Context, Ui};
+use files::autosave::Stored;
+use notices::Notice;
+use platform::Platform;
+use std::path::PathBuf;
 
 /// The scene that the window opens on.
 const FIRST: &str = include_str!("../../assets/scenes/two-discs.toml");
@@ -65,6 +75,30 @@ impl Sinew {
         })
     }
 
+    /// The same with a system around it and what an earlier window has left.
+    #[must_use]
+    pub fn on(mut self, platform: Box<dyn Platform>, stored: Stored) -> Self {
+        let state = &mut self.state;
+        state.files.platform = platform;
+        state.preferences = stored.preferences;
+        state.files.recent = stored.recent;
+        state.files.unsaved = stored.unsaved;
+        for lost in stored.lost {
+            let told = format!("What was stored of {lost} cannot be read and is left out.");
+            state.notices.tell(Notice::trouble(told));
+        }
+        self
+    }
+
+    /// The same with its scene's file.
+    #[must_use]
+    pub fn from_file(mut self, file: PathBuf) -> Self {
+        self.state.files.remember(&file);
+        self.state.document.file = Some(file);
+        photo::fetch(&mut self.state);
+        self
+    }
+
     /// What the window shows.
     pub fn state(&self) -> &State {
         &self.state
@@ -79,7 +113,11 @@ impl Sinew {
 impl eframe::App for Sinew {
     fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
         let state = &mut self.state;
-        ctx.set_theme(state.preferences.theme);
+        suit(ctx, &state.preferences);
+        files::guard_closing(state, ctx);
+        files::arrive(state, ctx);
+        photo::arrive(state, ctx);
+        measured::arrive(state, ctx);
         state.poll();
         if state.live.wants_frames() {
             ctx.request_repaint();
@@ -93,16 +131,51 @@ impl eframe::App for Sinew {
         }
     }
 
-    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         let state = &mut self.state;
-        canvas::hold_space(ui.ctx(), state);
-        state.commands.extend(commands::pressed(ui.ctx()));
+        let ctx = ui.ctx().clone();
+        canvas::hold_space(&ctx, state);
+        // What lies over the window has the keys.
+        if !state.sheets.is_open() {
+            state.commands.extend(commands::pressed(&ctx));
+        }
+        files::take_drops(state, &ctx);
+        files::take_pastes(state, &ctx);
         panels::show(ui, state);
         egui::CentralPanel::no_frame().show(ui, |ui| views(ui, state));
+        sheets::show(&ctx, state);
+        state.notices.show(&ctx);
+        files::announce(ui);
         for command in std::mem::take(&mut state.commands) {
-            commands::run(command, state, ui.ctx());
+            commands::run(command, state, &ctx);
         }
-        state.settle(ui.ctx());
+        state.settle(&ctx);
+        files::title(state, &ctx);
+        if state.gesture(&ctx) == history::Gesture::Over {
+            files::autosave::store_settled(state, frame.storage_mut());
+        }
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        files::autosave::store(&self.state, storage);
+    }
+
+    fn auto_save_interval(&self) -> std::time::Duration {
+        std::time::Duration::from_secs(5)
+    }
+}
+
+/// Makes the window suit the user's choices.
+fn suit(ctx: &Context, preferences: &Preferences) {
+    ctx.set_theme(preferences.theme);
+    ctx.set_zoom_factor(preferences.zoom);
+    let seconds = if preferences.still {
+        0.0
+    } else {
+        look::MOTION_SECONDS
+    };
+    if ctx.global_style().animation_time != seconds {
+        ctx.all_styles_mut(|style| style.animation_time = seconds);
     }
 }
 

@@ -3,10 +3,17 @@
 use super::backend::SolverBackend;
 use super::canvas::{Canvas, Hints};
 use super::commands::Command;
+use super::dock::Dock;
 use super::document::{Document, Settled};
+use super::files::Files;
 use super::history::{Gesture, History};
 use super::live::Live;
+use super::measured::Measuring;
+use super::notices::Notices;
 use super::panels::Panels;
+use super::photo::Photos;
+use super::platform::Detached;
+use super::sheets::Sheets;
 use super::space::Space;
 use super::transport::{Transport, span_mm};
 use crate::scene::{Scene, SceneError};
@@ -26,6 +33,10 @@ pub enum Selection {
     Robot,
     /// An obstacle, by its index in the scene.
     Obstacle(usize),
+    /// The photograph.
+    Photo,
+    /// What was measured.
+    Measured,
 }
 
 impl Selection {
@@ -85,10 +96,47 @@ pub struct Preferences {
     pub dock: bool,
     /// Light, dark or the system's.
     pub theme: eframe::egui::ThemePreference,
-    /// Enlarges everything.
+    /// Enlarges everything, [`Preferences::ZOOMS`].
     pub zoom: f32,
+    /// Whether nothing moves by itself.
+    pub still: bool,
     /// Which hints were of use already.
     pub hints: Hints,
+}
+
+/// A change of [`Preferences::zoom`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rescale {
+    /// By a step.
+    Larger,
+    /// By a step.
+    Smaller,
+    /// Back to 1.
+    Usual,
+}
+
+impl Preferences {
+    /// The least and greatest [`Preferences::zoom`].
+    pub const ZOOMS: (f32, f32) = (0.75, 2.0);
+
+    /// Changes the size of everything.
+    pub fn rescale(&mut self, by: Rescale) {
+        // Steps of an eighth, from wherever it is.
+        let eighths = self.zoom * 8.0;
+        self.zoom = match by {
+            Rescale::Larger => (eighths.floor() + 1.0) / 8.0,
+            Rescale::Smaller => (eighths.ceil() - 1.0) / 8.0,
+            Rescale::Usual => 1.0,
+        };
+        self.bring_into_range();
+    }
+
+    /// Corrects values that no control can give, as from a damaged file.
+    pub fn bring_into_range(&mut self) {
+        let (least, most) = Self::ZOOMS;
+        // The order also replaces NaN.
+        self.zoom = self.zoom.max(least).min(most);
+    }
 }
 
 impl Default for Preferences {
@@ -102,6 +150,7 @@ impl Default for Preferences {
             dock: true,
             theme: eframe::egui::ThemePreference::System,
             zoom: 1.0,
+            still: false,
             hints: Hints::default(),
         }
     }
@@ -136,6 +185,8 @@ pub struct State {
     pub space: Space,
     /// What the panels keep from frame to frame.
     pub panels: Panels,
+    /// The plots and tables; not there while they are shown.
+    pub dock: Option<Dock>,
     /// The pull over time.
     pub transport: Transport,
     /// The user's choices.
@@ -144,6 +195,16 @@ pub struct State {
     pub refusal: Option<Refusal>,
     /// Commands to be run at the end of the frame.
     pub commands: Vec<Command>,
+    /// The document's way to and from files.
+    pub files: Files,
+    /// What lies over the window.
+    pub sheets: Sheets,
+    /// What is being told.
+    pub notices: Notices,
+    /// The photographs that were seen.
+    pub photos: Photos,
+    /// Measurements against the robot.
+    pub measuring: Measuring,
 }
 
 impl State {
@@ -163,11 +224,17 @@ impl State {
             hovering: Hovered::Nothing,
             canvas: Canvas::default(),
             space: Space::default(),
+            dock: Some(Dock::default()),
             panels: Panels::default(),
             transport: Transport::default(),
             preferences,
             refusal: None,
             commands: Vec::new(),
+            files: Files::new(Box::new(Detached::default())),
+            sheets: Sheets::default(),
+            notices: Notices::default(),
+            photos: Photos::default(),
+            measuring: Measuring::default(),
         }
     }
 
@@ -240,7 +307,7 @@ impl State {
 
     /// Whether the user is in the middle of something that is to be one step
     /// of undo.
-    fn gesture(&self, ctx: &Context) -> Gesture {
+    pub fn gesture(&self, ctx: &Context) -> Gesture {
         let held = ctx.input(|input| input.pointer.any_down() || !input.keys_down.is_empty());
         if held || self.transport.is_playing() || ctx.text_edit_focused() {
             Gesture::Going

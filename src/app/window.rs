@@ -2,11 +2,14 @@
 //! a solver thread behind it.
 
 use super::backend::{Inline, SolverBackend, Thread};
+use super::files::autosave::Stored;
+use super::files::{faults_of, scene_from};
+use super::platform::Native;
 use super::{Preferences, Sinew};
 use crate::scene::Scene;
 use eframe::egui::{Context, ViewportBuilder, vec2};
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use web_time::Duration;
 
@@ -41,12 +44,14 @@ pub fn asked_for(mut arguments: impl Iterator<Item = OsString>) -> Option<Openin
 /// Opens the window and stays until it is closed. The exit code is 0, or 1
 /// where there is no display, or 2 where the scene file cannot be opened.
 pub fn open(opening: &Opening) -> ExitCode {
-    let scene = match opening {
-        Opening::Anything => None,
+    let (scene, file) = match opening {
+        Opening::Anything => (None, None),
         Opening::File(file) => match read(file) {
-            Ok(scene) => Some(scene),
-            Err(fault) => {
-                eprintln!("error: {fault}");
+            Ok((scene, file)) => (Some(scene), Some(file)),
+            Err(faults) => {
+                for fault in faults {
+                    eprintln!("error: {}: {fault}", file.display());
+                }
                 return ExitCode::from(2);
             }
         },
@@ -71,11 +76,14 @@ pub fn open(opening: &Opening) -> ExitCode {
                 crate::render::install(gpu);
             }
             let backend = backend(&cc.egui_ctx);
+            let stored = Stored::of(cc.storage);
             let window = Sinew::new(&cc.egui_ctx, scene, backend, Preferences::default());
-            match window {
-                Ok(window) => Ok(Box::new(window)),
-                Err(faults) => Err(listed(&faults).into()),
-            }
+            let window = window.map_err(|faults| faults_of(&faults).join(" "))?;
+            let window = window.on(Box::new(Native::new(&cc.egui_ctx)), stored);
+            Ok(Box::new(match file {
+                Some(file) => window.from_file(file),
+                None => window,
+            }))
         }),
     );
     match opened {
@@ -87,15 +95,14 @@ pub fn open(opening: &Opening) -> ExitCode {
     }
 }
 
-fn read(file: &std::path::Path) -> Result<Scene, String> {
-    let bytes = std::fs::read(file).map_err(|error| format!("{}: {error}", file.display()))?;
-    let scene = Scene::from_toml_bytes(&bytes);
-    scene.map_err(|fault| format!("{}: {fault}", file.display()))
-}
-
-fn listed(faults: &[crate::scene::SceneError]) -> String {
-    let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
-    faults.join("; ")
+/// The scene in a file, and the file's path from the root.
+fn read(file: &Path) -> Result<(Scene, PathBuf), Vec<String>> {
+    let bytes = std::fs::read(file).map_err(|error| vec![error.to_string()])?;
+    let file = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+    let scene = scene_from(&bytes, Some(&file));
+    let scene =
+        scene.map_err(|faults| faults.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+    Ok((scene, file))
 }
 
 /// Whether there is a display; elsewhere than on Unix with X11 or Wayland

@@ -1,6 +1,7 @@
 //! The canvas: the robot among its obstacles, in the plane, to be looked at
 //! and taken hold of.
 
+mod backdrop;
 mod banner;
 mod camera;
 mod chip;
@@ -21,6 +22,8 @@ pub use hints::Hints;
 pub use keys::hold_space;
 pub use place::copied;
 pub use tools::Tool;
+
+pub(super) use paint::drawing as paint_drawing;
 
 use super::live::Live;
 use super::look::{Tokens, theme_of};
@@ -150,7 +153,12 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     let frame = state.canvas.camera.frame();
     let reach = Reach::of(ui);
     keys::follow(&response, state, &frame);
-    let target = pointer::follow(&response, state, &frame, reach);
+    // What lies behind and before the robot comes first, where it is in hand.
+    let target = if backdrop::interact(&response, state, &frame) {
+        Target::Nothing
+    } else {
+        pointer::follow(&response, state, &frame, reach)
+    };
     picture(ui, state, &frame, rect, target, reach);
     overlays(ui, state, &frame, rect, &response);
     if response.has_focus() && response.ctx.input(|input| !input.pointer.has_pointer()) {
@@ -171,6 +179,7 @@ fn picture(ui: &Ui, state: &mut State, frame: &Frame, rect: Rect, target: Target
         let obstacles = state.live.problem().obstacles();
         painter.add(field_callback(rect, frame, obstacles, theme));
     }
+    backdrop::behind(&painter, state, frame);
     if state.preferences.grid {
         paint::grid(&painter, frame, theme);
     }
@@ -205,6 +214,7 @@ fn picture(ui: &Ui, state: &mut State, frame: &Frame, rect: Rect, target: Target
         paint::tip_ring(&painter, &state.live, frame, &tokens);
     }
     paint::scale_bar(&painter, frame, theme);
+    backdrop::before(&painter, state, frame, theme);
     paint::legend(&painter, state.live.drawing(), rect, theme);
     match lit {
         Hovered::Obstacle(_) => {}

@@ -2,9 +2,13 @@
 
 use super::Command;
 use crate::app::canvas::copied;
-use crate::app::state::{Selection, State, Views};
+use crate::app::files::{self, Intent, Saving, export};
+use crate::app::panels::settings_id;
+use crate::app::platform::{Errand, PictureKind};
+use crate::app::sheets::Sheet;
+use crate::app::state::{Rescale, Selection, State, Views};
 use crate::scene::Obstacle;
-use eframe::egui::{Context, Theme, ThemePreference};
+use eframe::egui::{Context, Popup, Theme, ThemePreference, ViewportCommand};
 
 /// Runs a command, if it would do anything.
 pub fn run(command: Command, state: &mut State, ctx: &Context) {
@@ -13,6 +17,17 @@ pub fn run(command: Command, state: &mut State, ctx: &Context) {
     }
     let scene = &mut state.document.scene;
     match command {
+        Command::New => files::request(state, Intent::New, ctx),
+        Command::Open => files::pick(state, Errand::Scene),
+        Command::Examples => state.sheets.show(Sheet::Gallery),
+        Command::Save => files::save(state, Saving::InPlace, None),
+        Command::SaveAs => files::save(state, Saving::As, None),
+        Command::ImportMeasurements => files::pick(state, Errand::Measurements),
+        Command::PlacePhoto => files::pick(state, Errand::Photo),
+        Command::ExportSvg => export::picture(state, PictureKind::Svg, ctx),
+        Command::ExportPng => export::picture(state, PictureKind::Png, ctx),
+        Command::CopyLink => export::copy_link(state, ctx),
+        Command::PasteLink => ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
         Command::Undo => {
             state.transport.stop();
             state.history.undo(scene);
@@ -68,6 +83,12 @@ pub fn run(command: Command, state: &mut State, ctx: &Context) {
             state.preferences.trace ^= true;
             state.redraw();
         }
+        Command::Larger => state.preferences.rescale(Rescale::Larger),
+        Command::Smaller => state.preferences.rescale(Rescale::Smaller),
+        Command::UsualSize => state.preferences.rescale(Rescale::Usual),
+        Command::Palette => state.sheets.show(Sheet::Palette),
+        Command::Settings => Popup::open_id(ctx, settings_id()),
+        Command::Help => state.sheets.show(Sheet::Help),
         Command::Theme => {
             state.preferences.theme = match ctx.theme() {
                 Theme::Dark => ThemePreference::Light,

@@ -6,7 +6,7 @@ pub mod icons;
 mod style;
 
 pub use fonts::{icon_font, semibold};
-pub use style::{Tokens, colour, icon, icon_button, theme_of};
+pub use style::{MOTION_SECONDS, Tokens, colour, icon, icon_button, theme_of};
 
 use eframe::egui;
 

@@ -8,6 +8,9 @@ use eframe::egui::{
     Shadow, Stroke, Style, TextStyle, Ui, Vec2, Visuals,
 };
 
+/// What the program moves, it moves in this time.
+pub const MOTION_SECONDS: f32 = 0.14;
+
 /// The colours of panels and controls; the picture's are in
 /// [`crate::view::Palette`], from which these are derived where they are the
 /// same thing.
@@ -149,7 +152,7 @@ fn shape(style: &mut Style, tokens: &Tokens, theme: Theme) {
     ]
     .into();
     style.drag_value_text_style = TextStyle::Body;
-    style.animation_time = 0.14;
+    style.animation_time = MOTION_SECONDS;
     let spacing = &mut style.spacing;
     spacing.item_spacing = Vec2::new(8.0, 4.0);
     spacing.button_padding = Vec2::new(8.0, 4.0);

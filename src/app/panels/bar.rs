@@ -1,33 +1,169 @@
-//! The bar at the top: what the document is called, and the commands that are
-//! used most.
+//! The bar at the top: menu, examples, what the document is called, steps back
+//! and forth, the views, and the way to all commands.
 
+use super::{menu, settings};
 use crate::app::commands::Command;
-use crate::app::look::{icon_button, semibold};
-use crate::app::state::State;
-use eframe::egui::{Align, Layout, RichText, Ui};
+use crate::app::look::{Tokens, icon, icon_button, icons, semibold};
+use crate::app::state::{State, Views};
+use eframe::egui::{
+    self, Align, Button, CornerRadius, Frame, Label, Layout, Margin, RichText, Ui, WidgetInfo, vec2,
+};
+
+/// Below these widths, in points, the bar leaves out what can be reached
+/// otherwise.
+const WIDE: f32 = 980.0;
+const MIDDLING: f32 = 640.0;
 
 /// Shows the bar.
 pub fn show(ui: &mut Ui, state: &mut State) {
+    let width = ui.available_width();
     ui.horizontal(|ui| {
-        ui.label(RichText::new("Sinew").font(semibold(14.0)));
-        ui.add_space(8.0);
-        ui.label(state.document.name());
-        if state.document.is_changed() {
-            ui.weak("changed");
+        ui.spacing_mut().item_spacing.x = 4.0;
+        menu::show(ui, state);
+        if width >= MIDDLING {
+            examples(ui, state);
         }
+        button(ui, state, Command::Undo);
+        button(ui, state, Command::Redo);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            for command in [
-                Command::Theme,
-                Command::Dock,
-                Command::Outline,
-                Command::Fit,
-                Command::Redo,
-                Command::Undo,
-            ] {
-                button(ui, state, command);
+            ui.spacing_mut().item_spacing.x = 4.0;
+            if width >= MIDDLING {
+                button(ui, state, Command::Help);
             }
+            settings::show(ui, state);
+            if width >= MIDDLING {
+                theme(ui, state);
+                button(ui, state, Command::Dock);
+                button(ui, state, Command::Outline);
+            }
+            ui.add_space(4.0);
+            if width >= WIDE {
+                search(ui, state);
+            } else {
+                button(ui, state, Command::Palette);
+            }
+            ui.add_space(4.0);
+            views(ui, state);
+            ui.add_space(4.0);
+            name(ui, state);
         });
     });
+}
+
+/// What the document is called, in what room is left.
+fn name(ui: &mut Ui, state: &State) {
+    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+        ui.add_space(8.0);
+        let tokens = Tokens::in_ui(ui);
+        let changed = state.document.is_changed();
+        let mark = if changed { " •" } else { "" };
+        let name = RichText::new(format!("{}{mark}", state.document.name()));
+        let place = match &state.document.file {
+            Some(file) => file.display().to_string(),
+            None => "Not saved to a file".to_owned(),
+        };
+        let tip = if changed {
+            format!("{place} (changed)")
+        } else {
+            place
+        };
+        let name = Label::new(name.color(tokens.muted)).truncate();
+        ui.add(name).on_hover_text(tip);
+    });
+}
+
+fn examples(ui: &mut Ui, state: &mut State) {
+    let label = (icon(icons::GRADUATION_CAP), RichText::new("Examples"));
+    let button = Button::new(label).frame_when_inactive(false);
+    let tip = Command::Examples.tip(ui.ctx());
+    if ui.add(button).on_hover_text(tip).clicked() {
+        state.commands.push(Command::Examples);
+    }
+}
+
+/// The theme that the button leads to.
+fn theme(ui: &mut Ui, state: &mut State) {
+    let (glyph, name) = if ui.visuals().dark_mode {
+        (icons::SUN, "Light")
+    } else {
+        (icons::MOON, "Dark")
+    };
+    let keys = Command::Theme.entry().shortcut;
+    let keys = keys
+        .map(|keys| ui.ctx().format_shortcut(&keys))
+        .unwrap_or_default();
+    if icon_button(ui, glyph, &format!("{name} theme ({keys})")).clicked() {
+        state.commands.push(Command::Theme);
+    }
+}
+
+/// The views, of which one is chosen.
+fn views(ui: &mut Ui, state: &mut State) {
+    let tokens = Tokens::in_ui(ui);
+    Frame::new()
+        .fill(tokens.sunken)
+        .corner_radius(CornerRadius::same(7))
+        .inner_margin(Margin::same(2))
+        .show(ui, |ui| {
+            ui.spacing_mut().item_spacing.x = 2.0;
+            let layout = Layout::left_to_right(Align::Center);
+            ui.with_layout(layout, |ui| {
+                for (view, name, command) in [
+                    (Views::Plane, "2-D", Command::ViewPlane),
+                    (Views::Space, "3-D", Command::ViewSpace),
+                    (Views::Both, "Both", Command::ViewBoth),
+                ] {
+                    let current = state.preferences.views == view;
+                    let (fill, ink) = if current {
+                        (tokens.raised, tokens.text)
+                    } else {
+                        (egui::Color32::TRANSPARENT, tokens.muted)
+                    };
+                    let font = if current {
+                        semibold(12.0)
+                    } else {
+                        egui::FontId::proportional(12.0)
+                    };
+                    let text = RichText::new(name).font(font).color(ink);
+                    let button = Button::new(text)
+                        .fill(fill)
+                        .corner_radius(CornerRadius::same(5))
+                        .min_size(vec2(44.0, 24.0));
+                    let response = ui.add(button).on_hover_text(command.tip(ui.ctx()));
+                    response.widget_info(|| {
+                        WidgetInfo::selected(
+                            egui::Role::RadioButton,
+                            true,
+                            current,
+                            command.entry().title,
+                        )
+                    });
+                    if response.clicked() {
+                        state.commands.push(command);
+                    }
+                }
+            });
+        });
+}
+
+/// The way to all commands, looking like the field that it leads to.
+fn search(ui: &mut Ui, state: &mut State) {
+    let tokens = Tokens::in_ui(ui);
+    let entry = Command::Palette.entry();
+    let keys = entry
+        .shortcut
+        .map(|keys| ui.ctx().format_shortcut(&keys))
+        .unwrap_or_default();
+    let text = RichText::new("Search").color(tokens.muted);
+    let button = Button::new((icon(entry.icon).color(tokens.muted), text))
+        .shortcut_text(RichText::new(keys).small().color(tokens.muted))
+        .fill(tokens.sunken)
+        .min_size(vec2(176.0, 28.0));
+    let response = ui.add(button).on_hover_text(entry.title);
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, entry.title));
+    if response.clicked() {
+        state.commands.push(Command::Palette);
+    }
 }
 
 /// A button for a command.

@@ -3,14 +3,22 @@
 
 mod bar;
 mod inspector;
+mod measured;
+mod menu;
 mod outline;
+mod photo;
+mod restore;
 mod row;
+mod settings;
 mod status;
 pub mod tables;
 mod track;
 mod transport;
 mod typed;
 
+pub use settings::settings_id;
+
+use super::dock;
 use super::look::Tokens;
 use super::state::{Selection, State};
 use eframe::egui::{Align, Frame, Layout, Margin, Panel, Ui, vec2};
@@ -18,6 +26,9 @@ use eframe::egui::{Align, Frame, Layout, Margin, Panel, Ui, vec2};
 /// Windows that are narrower than this, in points, have no room for the
 /// outline.
 const NARROW: f32 = 640.0;
+
+/// Windows that are narrower than this, in points, have no room for the dock.
+const WIDE: f32 = 960.0;
 
 /// What the panels keep from frame to frame.
 #[derive(Debug, Default)]
@@ -45,6 +56,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     Panel::top("bar")
         .frame(frame(12, 6))
         .show(ui, |ui| bar::show(ui, state));
+    restore::show(ui, state);
     Panel::bottom("transport")
         .frame(frame(12, 8))
         .show(ui, |ui| {
@@ -72,6 +84,13 @@ pub fn show(ui: &mut Ui, state: &mut State) {
                 ui.add_space(20.0);
                 inspector::show(ui, state);
             });
+    }
+    if state.preferences.dock && width >= WIDE {
+        Panel::right("dock")
+            .frame(Frame::new().fill(tokens.panel))
+            .default_size(0.27 * width)
+            .size_range(280.0..=0.6 * width)
+            .show(ui, |ui| dock::show(ui, state));
     }
     if state.panels.certificate {
         status::certificate(ui, state);

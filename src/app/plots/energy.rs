@@ -100,12 +100,11 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
     let Some(path) = data.path else {
         return Ok(());
     };
-    let robot = data.problem.robot();
     let mut events = path.events.iter().peekable();
     let mut note = |table: &mut csv::Writer<Vec<u8>>, before: f64| -> csv::Result<()> {
         while let Some(event) = events.next_if(|event| event.pull <= before) {
             let pull = millimetres(event.pull).to_string();
-            let what = words::event(event, data.scene, robot);
+            let what = words::occurrence(&event.what, data.scene);
             table.write_record([pull.as_str(), "", "", what.as_str()])?;
         }
         Ok(())

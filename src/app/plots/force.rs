@@ -253,7 +253,7 @@ fn names(ui: &Ui, surface: &Surface<'_>, data: &PlotData<'_>, cache: &PlotCache)
     {
         let mut corner = surface.frame().left_top() + vec2(8.0, 6.0);
         for (index, force) in curve.obstacles.iter().zip(&point.by_obstacle) {
-            let name = words::obstacle(data.scene, *index);
+            let name = words::obstacle_of(data.scene, *index);
             let shown = Quantity::fixed(grams(*force), 1, "g");
             let text = Text::default().value(&name, &shown, &tokens);
             let rect = surface.name(corner, Align2::LEFT_TOP, text);
@@ -395,7 +395,7 @@ pub(super) fn csv(
             let load = grams(point.load);
             row("multipliers", load, grams(point.total), &pull, "all")?;
             for (index, force) in curve.obstacles.iter().zip(&point.by_obstacle) {
-                let on = words::obstacle(data.scene, *index);
+                let on = words::obstacle_of(data.scene, *index);
                 row("multipliers", load, grams(*force), &pull, &on)?;
             }
         }

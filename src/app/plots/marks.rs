@@ -42,7 +42,7 @@ const NEAR: f32 = 6.0;
 /// The marks of a path, by pull.
 pub(super) fn of(path: &Path, data: &PlotData<'_>) -> Vec<Mark> {
     let robot = data.problem.robot();
-    let obstacle = |index: usize| words::obstacle(data.scene, index);
+    let obstacle = |index: usize| words::obstacle_of(data.scene, index);
     let disk = |node: usize| {
         let bay = robot.segments_per_bay;
         if robot.has_disk(node) {
@@ -81,7 +81,7 @@ pub(super) fn of(path: &Path, data: &PlotData<'_>) -> Vec<Mark> {
             at: event.pull,
             kind,
             short,
-            long: words::event(event, data.scene, robot),
+            long: words::event(event, data.scene),
         })
     });
     let mut marks: Vec<Mark> = events.collect();

@@ -140,7 +140,7 @@ fn reading(data: &PlotData<'_>, link: &Link, tokens: &Tokens) -> Text {
             let Some(contact) = data.solution.contacts.get(index) else {
                 return Text::default();
             };
-            let on = words::obstacle(data.scene, contact.obstacle);
+            let on = words::obstacle_of(data.scene, contact.obstacle);
             let part = part_name(robot, contact);
             let multiplier = per_millimetre(contact.multiplier);
             let text = Text::of(&format!("{part}, on {on}"), tokens.text);
@@ -308,7 +308,7 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
             contact.node.to_string(),
             part_name(data.problem.robot(), contact),
             contact.line.name().to_owned(),
-            words::obstacle(data.scene, contact.obstacle),
+            words::obstacle_of(data.scene, contact.obstacle),
             contact.class.word().to_owned(),
             per_millimetre(contact.multiplier).to_string(),
             force.map_or_else(String::new, |force| force.to_string()),

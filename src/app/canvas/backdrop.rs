@@ -1,0 +1,58 @@
+//! What lies behind and before the robot besides the drawing: the photograph
+//! and the measured backbone.
+
+use crate::app::look::Tokens;
+use crate::app::photo;
+use crate::app::state::{Selection, State};
+use crate::geometry::Vector;
+use crate::units::metres;
+use crate::view::{Frame, Theme};
+use eframe::egui::{Painter, Pos2, Response, Shape, Stroke, pos2, vec2};
+
+/// Behind everything.
+pub fn behind(painter: &Painter, state: &State, frame: &Frame) {
+    let photo = state.document.scene.photo.as_ref();
+    photo::paint(painter, &state.photos, photo, frame);
+}
+
+/// Before everything but words.
+pub fn before(painter: &Painter, state: &State, frame: &Frame, theme: Theme) {
+    photo::outline(painter, state, frame, theme);
+    measured(painter, state, frame, theme);
+}
+
+/// Whether the pointer is taken by what lies here.
+pub fn interact(response: &Response, state: &mut State, frame: &Frame) -> bool {
+    photo::interact(response, state, frame)
+}
+
+/// The measured backbone: diamonds, which nothing else on the canvas is.
+fn measured(painter: &Painter, state: &State, frame: &Frame, theme: Theme) {
+    let Some(measured) = &state.document.scene.measured else {
+        return;
+    };
+    let tokens = Tokens::of(theme);
+    let at = |point: &[f64; 2]| -> Pos2 {
+        let place = frame.to_screen(Vector::new(metres(point[0]), metres(point[1])));
+        pos2(place.x as f32, place.y as f32)
+    };
+    let places: Vec<Pos2> = measured.points_mm.iter().map(at).collect();
+    if !places.iter().all(|place| place.is_finite()) {
+        return;
+    }
+    let selected = state.selection == Selection::Measured;
+    let colour = if selected { tokens.accent } else { tokens.good };
+    let line = Stroke::new(1.0, colour.gamma_multiply(0.6));
+    painter.extend(Shape::dashed_line(&places, line, 4.0, 4.0));
+    let size = if selected { 5.0 } else { 4.0 };
+    for place in places {
+        let corners = [(0.0, -size), (size, 0.0), (0.0, size), (-size, 0.0)];
+        let corners = corners.map(|(x, y)| place + vec2(x, y)).to_vec();
+        let edge = Stroke::new(1.5, colour);
+        painter.add(Shape::convex_polygon(
+            corners,
+            tokens.canvas.gamma_multiply(0.8),
+            edge,
+        ));
+    }
+}

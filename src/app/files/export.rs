@@ -1,0 +1,79 @@
+//! The canvas as a picture's file, and the scene as a link.
+
+use super::file_name;
+use crate::app::link;
+use crate::app::notices::Notice;
+use crate::app::platform::{Contents, Destination, Errand, PictureKind};
+use crate::app::state::State;
+use crate::report::{png, svg};
+use crate::view::Theme;
+use eframe::egui::Context;
+use std::path::Path;
+
+/// Pixels of a PNG in a pixel of the picture.
+const SCALE: f64 = 2.0;
+
+/// What links start with on the desktop, where no address shows a scene.
+const SCHEME: &str = "sinew:";
+
+/// Exports the robot and its obstacles as a picture, in the window's theme.
+pub fn picture(state: &mut State, kind: PictureKind, ctx: &Context) {
+    let theme = match ctx.theme() {
+        eframe::egui::Theme::Light => Theme::Light,
+        eframe::egui::Theme::Dark => Theme::Dark,
+    };
+    let ending = match kind {
+        PictureKind::Svg => "svg",
+        PictureKind::Png => "png",
+    };
+    let name = file_name(state, ending);
+    let drawing = state.live.drawing().clone();
+    let contents = Box::new(move |_: &Path| {
+        let size = svg::Size::suiting(&drawing);
+        match kind {
+            PictureKind::Svg => Ok(svg::render(&drawing, theme, size).into_bytes()),
+            PictureKind::Png => {
+                png::render(&drawing, theme, size, SCALE).map_err(|error| error.to_string())
+            }
+        }
+    });
+    write(state, Errand::Picture(kind), name, contents);
+}
+
+/// Exports a plot as a picture or as its numbers.
+pub fn plot(state: &mut State, word: &str, ending: &str, bytes: Vec<u8>) {
+    let errand = match ending {
+        "svg" => Errand::Picture(PictureKind::Svg),
+        _ => Errand::Table,
+    };
+    let scene = file_name(state, ending);
+    let scene = scene.strip_suffix(&format!(".{ending}")).unwrap_or(&scene);
+    let name = format!("{scene}-{word}.{ending}");
+    write(state, errand, name, Box::new(move |_: &Path| Ok(bytes)));
+}
+
+/// Asks where a file is to go, unless something is being asked already.
+fn write(state: &mut State, errand: Errand, name: String, contents: Contents) {
+    if state.files.asking {
+        return;
+    }
+    let folder = super::folder(state);
+    state.files.asking = true;
+    let to = Destination::Ask { name, folder };
+    state.files.platform.write(errand, to, contents);
+}
+
+/// Copies a link that holds the whole scene.
+pub fn copy_link(state: &mut State, ctx: &Context) {
+    match link::encode(&state.document.scene) {
+        Ok(fragment) => {
+            ctx.copy_text(format!("{SCHEME}{fragment}"));
+            let told = "Copied a link that holds the whole scene";
+            state.notices.tell(Notice::success(told));
+        }
+        Err(fault) => {
+            let told = format!("There is no link to this scene: {fault}");
+            state.notices.tell(Notice::trouble(super::sentence(&told)));
+        }
+    }
+}

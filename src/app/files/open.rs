@@ -1,0 +1,109 @@
+//! A scene's way into the window: read, checked, put in the place of the
+//! present one. One that cannot be solved changes nothing and is told with all
+//! of its faults.
+
+use super::{Arrival, Intent, photo_path, request, shown};
+use crate::app::commands::Command;
+use crate::app::document::Document;
+use crate::app::history::History;
+use crate::app::notices::Notice;
+use crate::app::sheets::Sheet;
+use crate::app::state::State;
+use crate::scene::{Scene, SceneError};
+use eframe::egui::Context;
+use std::path::{Path, PathBuf};
+
+impl Arrival {
+    /// A scene that is kept nowhere and does not need to be.
+    pub fn of(scene: Scene) -> Self {
+        Self {
+            scene,
+            file: None,
+            told: None,
+            kept: true,
+        }
+    }
+
+    /// The same, and what is told when it is open.
+    #[must_use]
+    pub fn telling(mut self, told: impl Into<String>) -> Self {
+        self.told = Some(told.into());
+        self
+    }
+}
+
+/// The scene in a file's bytes, which can be solved.
+///
+/// # Errors
+/// All of its faults that can be told: where the text is not even a scene, the
+/// first one.
+pub fn scene_from(bytes: &[u8], file: Option<&Path>) -> Result<Scene, Vec<SceneError>> {
+    let scene = Scene::from_toml_bytes(bytes).map_err(|fault| vec![fault])?;
+    let folder = file.and_then(Path::parent);
+    let scene = photo_path::as_opened_from(scene, folder.filter(|f| !f.as_os_str().is_empty()));
+    Document::new(scene.clone())?;
+    Ok(scene)
+}
+
+/// Faults as sentences.
+pub fn faults_of(faults: &[SceneError]) -> Vec<String> {
+    faults
+        .iter()
+        .map(|fault| super::sentence(&fault.to_string()))
+        .collect()
+}
+
+/// Opens what a file holds, after asking where unsaved work would be lost.
+pub(super) fn scene_file(state: &mut State, path: PathBuf, bytes: &[u8], ctx: &Context) {
+    match scene_from(bytes, Some(&path)) {
+        Ok(scene) => {
+            let arrival = Arrival {
+                scene,
+                file: Some(path),
+                told: None,
+                kept: true,
+            };
+            request(state, Intent::Scene(Box::new(arrival)), ctx);
+        }
+        Err(faults) => refuse(state, &shown(&path), &faults),
+    }
+}
+
+/// Says why a scene is not opened.
+pub(super) fn refuse(state: &mut State, name: &str, faults: &[SceneError]) {
+    let sheet = Sheet::trouble(format!("{name} cannot be opened"), faults_of(faults))
+        .with("Nothing has changed here. Correct the file and open it again, or open another:")
+        .offering("Open another …", Command::Open);
+    state.sheets.show(sheet);
+}
+
+/// Puts a scene in the place of the present one.
+pub(super) fn arrive(state: &mut State, arrival: Arrival) {
+    let Arrival {
+        scene,
+        file,
+        told,
+        kept,
+    } = arrival;
+    let name = file
+        .as_deref()
+        .map_or_else(|| "The scene".to_owned(), shown);
+    if let Err(faults) = state.open(scene) {
+        refuse(state, &name, &faults);
+        return;
+    }
+    if let Some(file) = file {
+        // Undo must not lead to another file's scene under this one's name.
+        state.history = History::new(&state.document.scene);
+        state.files.remember(&file);
+        state.document.file = Some(file);
+    }
+    if !kept {
+        state.document.mark_unkept();
+    }
+    state.sheets.sheet = None;
+    crate::app::photo::fetch(state);
+    if let Some(told) = told {
+        state.notices.tell(Notice::success(told));
+    }
+}

@@ -1,0 +1,69 @@
+//! The menu: all commands by group, from their list, and the recent files.
+
+use crate::app::commands::{ALL, Command, Group};
+use crate::app::files::shown;
+use crate::app::look::{Tokens, icon, icons, semibold};
+use crate::app::platform::Errand;
+use crate::app::state::State;
+use eframe::egui::{Button, RichText, Ui, containers::menu::MenuButton};
+
+/// Shows the menu's button, and the menu while it is open.
+pub fn show(ui: &mut Ui, state: &mut State) {
+    let tokens = Tokens::in_ui(ui);
+    let title = RichText::new("Sinew")
+        .font(semibold(14.0))
+        .color(tokens.text);
+    let button = Button::new((icon(icons::LIST), title)).frame_when_inactive(false);
+    let (button, _) = MenuButton::from_button(button).ui(ui, |ui| {
+        ui.set_min_width(160.0);
+        for group in Group::ALL {
+            ui.menu_button(group.title(), |ui| {
+                ui.set_min_width(248.0);
+                for entry in ALL.iter().filter(|entry| entry.group == group) {
+                    item(ui, state, entry.command);
+                    if entry.command == Command::Open {
+                        recent(ui, state);
+                    }
+                }
+            });
+        }
+    });
+    button.on_hover_text("Menu");
+}
+
+fn item(ui: &mut Ui, state: &mut State, command: Command) {
+    let entry = command.entry();
+    let muted = Tokens::in_ui(ui).muted;
+    let mut button = Button::new((icon(entry.icon).color(muted), entry.title));
+    if let Some(keys) = &entry.shortcut {
+        let keys = ui.ctx().format_shortcut(keys);
+        button = button.shortcut_text(RichText::new(keys).small().color(muted));
+    }
+    if ui.add_enabled(command.is_enabled(state), button).clicked() {
+        state.commands.push(command);
+        ui.close();
+    }
+}
+
+/// The recent files, in a menu of their own.
+fn recent(ui: &mut Ui, state: &mut State) {
+    if state.files.recent.is_empty() {
+        return;
+    }
+    let muted = Tokens::in_ui(ui).muted;
+    let mut chosen = None;
+    let head = (icon(icons::CLOCK_COUNTER_CLOCKWISE).color(muted), "Recent");
+    ui.menu_button(head, |ui| {
+        ui.set_min_width(200.0);
+        for path in &state.files.recent {
+            let whole = path.to_string_lossy();
+            if ui.button(shown(path)).on_hover_text(whole).clicked() {
+                chosen = Some(path.clone());
+                ui.close();
+            }
+        }
+    });
+    if let Some(path) = chosen {
+        state.files.platform.read(Errand::Scene, path);
+    }
+}

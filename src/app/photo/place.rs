@@ -1,0 +1,242 @@
+//! Where the photograph lies: painted behind everything, dragged while it is
+//! selected, and brought to scale by two points whose distance is known.
+
+use super::{Photograph, Photos};
+use crate::app::look::Tokens;
+use crate::app::state::{Selection, State};
+use crate::geometry::Vector;
+use crate::scene::{Photo, limits};
+use crate::units::{metres, millimetres, radians};
+use crate::view::{Frame, Theme};
+use eframe::egui::{
+    Color32, CursorIcon, Mesh, Painter, PointerButton, Pos2, Response, Shape, Stroke, Vec2, pos2,
+};
+
+/// The scale tool: two points of the photograph, and how far apart they are.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scaling {
+    /// The points, in metres; at most two.
+    pub points: Vec<Vector>,
+    /// Their distance, in mm.
+    pub distance_mm: f64,
+}
+
+impl Scaling {
+    /// Takes a point; with the second, the distance is what it is now.
+    fn take(&mut self, point: Vector) {
+        if self.points.len() >= 2 {
+            self.points.clear();
+        }
+        self.points.push(point);
+        if let [a, b] = self.points[..] {
+            self.distance_mm = millimetres((b - a).norm());
+        }
+    }
+
+    /// The photograph with its points at their distance: the first stays.
+    /// `None` where there are no two points, or it would become too small or
+    /// large.
+    pub fn applied(&self, photo: &Photo) -> Option<Photo> {
+        let [a, b] = self.points[..] else {
+            return None;
+        };
+        let factor = metres(self.distance_mm) / (b - a).norm();
+        let width_mm = factor * photo.width_mm;
+        let centre = a + factor * (centre_of(photo) - a);
+        (factor > 0.0 && limits::PHOTO_WIDTH.contain(width_mm)).then(|| Photo {
+            width_mm,
+            center_mm: [millimetres(centre.x), millimetres(centre.y)],
+            ..photo.clone()
+        })
+    }
+}
+
+fn centre_of(photo: &Photo) -> Vector {
+    Vector::new(metres(photo.center_mm[0]), metres(photo.center_mm[1]))
+}
+
+/// The corners in metres: upper left, upper right, lower right, lower left.
+fn corners(photo: &Photo, ratio: f64) -> [Vector; 4] {
+    let across = 0.5 * metres(photo.width_mm);
+    let (sin, cos) = radians(photo.rotation_deg).sin_cos();
+    [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| {
+        let (x, y) = (across * x, across * ratio * y);
+        centre_of(photo) + Vector::new(cos * x - sin * y, sin * x + cos * y)
+    })
+}
+
+/// Whether a point lies on the photograph.
+fn holds(photo: &Photo, ratio: f64, point: Vector) -> bool {
+    let corners = corners(photo, ratio);
+    let from = point - corners[3];
+    let within = |side: Vector| {
+        let share = from.dot(&side) / side.norm_squared();
+        (0.0..=1.0).contains(&share)
+    };
+    within(corners[2] - corners[3]) && within(corners[0] - corners[3])
+}
+
+fn to_screen(frame: &Frame, point: Vector) -> Pos2 {
+    let at = frame.to_screen(point);
+    pos2(at.x as f32, at.y as f32)
+}
+
+/// Paints the photograph.
+pub fn paint(painter: &Painter, photos: &Photos, photo: Option<&Photo>, frame: &Frame) {
+    let Some(photo) = photo else {
+        return;
+    };
+    let Some(Photograph::Here { texture, .. }) = photos.get(photo) else {
+        return;
+    };
+    let Some(ratio) = photos.ratio(photo) else {
+        return;
+    };
+    let places = corners(photo, ratio).map(|corner| to_screen(frame, corner));
+    if !places.iter().all(|place| place.is_finite()) {
+        return;
+    }
+    let shown = (255.0 * photo.opacity.clamp(0.0, 1.0)).round() as u8;
+    let tint = Color32::from_white_alpha(shown);
+    let mut mesh = Mesh::with_texture(texture.id());
+    let uv = [
+        pos2(0.0, 0.0),
+        pos2(1.0, 0.0),
+        pos2(1.0, 1.0),
+        pos2(0.0, 1.0),
+    ];
+    for (place, uv) in places.into_iter().zip(uv) {
+        mesh.vertices.push(eframe::egui::epaint::Vertex {
+            pos: place,
+            uv,
+            color: tint,
+        });
+    }
+    mesh.add_triangle(0, 1, 2);
+    mesh.add_triangle(0, 2, 3);
+    painter.add(Shape::mesh(mesh));
+}
+
+/// Paints the line around the selected photograph, and the points of the
+/// scale tool.
+pub fn outline(painter: &Painter, state: &State, frame: &Frame, theme: Theme) {
+    let tokens = Tokens::of(theme);
+    let photos = &state.photos;
+    if let Some(photo) = &state.document.scene.photo
+        && state.selection == Selection::Photo
+        && let Some(ratio) = photos.ratio(photo)
+    {
+        let mut line = corners(photo, ratio)
+            .map(|corner| to_screen(frame, corner))
+            .to_vec();
+        line.extend(line.first().copied());
+        let stroke = Stroke::new(1.5, tokens.accent);
+        painter.extend(Shape::dashed_line(&line, stroke, 6.0, 4.0));
+    }
+    if let Some(scaling) = &photos.scaling {
+        let points: Vec<Pos2> = scaling
+            .points
+            .iter()
+            .map(|p| to_screen(frame, *p))
+            .collect();
+        if let [a, b] = points[..] {
+            painter.line_segment([a, b], Stroke::new(2.0, tokens.accent));
+        }
+        for point in points {
+            let arm = |by: Vec2| {
+                painter.line_segment([point - by, point + by], Stroke::new(1.5, tokens.text))
+            };
+            arm(Vec2::new(9.0, 0.0));
+            arm(Vec2::new(0.0, 9.0));
+            painter.circle(point, 4.0, tokens.accent, Stroke::new(1.5, tokens.raised));
+        }
+    }
+}
+
+/// Lets the scale tool take points and the selected photograph be dragged;
+/// whether the pointer is thereby taken.
+pub fn interact(response: &Response, state: &mut State, frame: &Frame) -> bool {
+    let Some(pointer) = response.hover_pos().or(response.interact_pointer_pos()) else {
+        return false;
+    };
+    let world = |at: Pos2| frame.to_world(Vector::new(f64::from(at.x), f64::from(at.y)));
+    if let Some(scaling) = &mut state.photos.scaling {
+        response.ctx.set_cursor_icon(CursorIcon::Crosshair);
+        if response.clicked() {
+            scaling.take(world(pointer));
+        }
+        return !response.dragged();
+    }
+    if state.selection != Selection::Photo {
+        state.photos.held = None;
+        return false;
+    }
+    let Some(photo) = &mut state.document.scene.photo else {
+        return false;
+    };
+    if response.drag_started_by(PointerButton::Primary) {
+        let origin = response.ctx.input(|input| input.pointer.press_origin());
+        let origin = world(origin.unwrap_or(pointer));
+        let ratio = match state.photos.known.get(std::path::Path::new(&photo.file)) {
+            Some(Photograph::Here { size, .. }) => f64::from(size[1]) / f64::from(size[0]),
+            _ => 1.0,
+        };
+        if holds(photo, ratio, origin) {
+            state.photos.held = Some(origin - centre_of(photo));
+        }
+    }
+    let Some(held) = state.photos.held else {
+        return false;
+    };
+    response.ctx.set_cursor_icon(CursorIcon::Grabbing);
+    let to = world(pointer) - held;
+    photo.center_mm = [millimetres(to.x), millimetres(to.y)];
+    if response.drag_stopped() {
+        state.photos.held = None;
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn photo() -> Photo {
+        Photo {
+            file: "a.png".to_owned(),
+            center_mm: [10.0, 20.0],
+            width_mm: 100.0,
+            rotation_deg: 90.0,
+            opacity: 1.0,
+        }
+    }
+
+    #[test]
+    fn two_points_come_to_their_distance_and_the_first_stays() {
+        let mut scaling = Scaling::default();
+        scaling.take(Vector::new(0.01, 0.02));
+        assert!(scaling.applied(&photo()).is_none());
+        scaling.take(Vector::new(0.01, 0.05));
+        assert!((scaling.distance_mm - 30.0).abs() < 1e-12);
+        scaling.distance_mm = 60.0;
+        let scaled = scaling.applied(&photo()).unwrap();
+        assert!((scaled.width_mm - 200.0).abs() < 1e-9);
+        // The first point was the centre.
+        assert!((scaled.center_mm[0] - 10.0).abs() < 1e-9);
+        assert!((scaled.center_mm[1] - 20.0).abs() < 1e-9);
+        scaling.distance_mm = 0.0;
+        assert!(scaling.applied(&photo()).is_none());
+    }
+
+    #[test]
+    fn a_turned_photograph_is_where_it_is_painted() {
+        // A quarter turn: the width runs upward.
+        assert!(holds(&photo(), 0.5, Vector::new(0.01, 0.069)));
+        assert!(!holds(&photo(), 0.5, Vector::new(0.059, 0.02)));
+        let upper_left = corners(&photo(), 0.5)[0];
+        assert!(
+            (upper_left - Vector::new(-0.015, -0.03)).norm() < 1e-12,
+            "{upper_left}"
+        );
+    }
+}

@@ -1,0 +1,171 @@
+//! What the window asks of the system it runs on: files, and work that does
+//! not make it wait. The only way out of the window, so that the desktop, a
+//! browser and a test differ in nothing else.
+//!
+//! Nothing here waits. What was asked for comes later from [`Platform::poll`],
+//! which the window asks once a frame; whoever delivers asks for that frame.
+
+mod detached;
+#[cfg(not(target_arch = "wasm32"))]
+mod native;
+
+pub use detached::Detached;
+#[cfg(not(target_arch = "wasm32"))]
+pub use native::Native;
+
+use crate::scene::MAX_FILE_BYTES;
+use eframe::egui::DroppedFileHandle;
+use std::path::{Path, PathBuf};
+
+/// What a file is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Errand {
+    /// A scene to be opened.
+    Scene,
+    /// A measured backbone or force readings, to be brought into the scene.
+    Measurements,
+    /// A photograph to be put behind the robot.
+    Photo,
+    /// A photograph that the scene names.
+    KnownPhoto,
+    /// The scene, to be written.
+    Save,
+    /// A picture, to be written.
+    Picture(PictureKind),
+    /// A plot's numbers, to be written.
+    Table,
+}
+
+/// The kinds of pictures that can be exported.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PictureKind {
+    /// Lines and text.
+    Svg,
+    /// Pixels.
+    Png,
+}
+
+impl Errand {
+    /// What the file is called in sentences.
+    pub fn noun(self) -> &'static str {
+        match self {
+            Errand::Scene | Errand::Save => "scene",
+            Errand::Measurements => "table of measurements",
+            Errand::Photo | Errand::KnownPhoto => "photograph",
+            Errand::Table => "table",
+            Errand::Picture(_) => "picture",
+        }
+    }
+
+    /// The endings of such files, without dots.
+    pub fn endings(self) -> &'static [&'static str] {
+        match self {
+            Errand::Scene | Errand::Save => &["toml"],
+            Errand::Measurements => &["csv", "txt"],
+            Errand::Table => &["csv"],
+            Errand::Photo | Errand::KnownPhoto => &["png", "jpg", "jpeg"],
+            Errand::Picture(PictureKind::Svg) => &["svg"],
+            Errand::Picture(PictureKind::Png) => &["png"],
+        }
+    }
+
+    /// The largest such file that is read, in bytes.
+    pub fn most_bytes(self) -> u64 {
+        match self {
+            Errand::Photo | Errand::KnownPhoto => 64 << 20,
+            _ => MAX_FILE_BYTES as u64,
+        }
+    }
+
+    /// Why a file of this size is not read; `None` where it is.
+    pub fn too_large(self, bytes: u64) -> Option<String> {
+        const MB: f64 = (1 << 20) as f64;
+        let most = self.most_bytes();
+        (bytes > most).then(|| {
+            format!(
+                "it has {:.1} MB, and a {} may have {:.0} MB at most",
+                bytes as f64 / MB,
+                self.noun(),
+                most as f64 / MB,
+            )
+        })
+    }
+}
+
+/// What a file is to hold, given where it goes; or a sentence why it cannot
+/// be made.
+pub type Contents = Box<dyn FnOnce(&Path) -> Result<Vec<u8>, String> + Send>;
+
+/// Where a file goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Destination {
+    /// There.
+    Known(PathBuf),
+    /// Wherever the user says, who is offered this name in this folder.
+    Ask {
+        /// A file's name.
+        name: String,
+        /// A folder, where one is known.
+        folder: Option<PathBuf>,
+    },
+}
+
+/// What has become of an errand.
+#[derive(Clone, Debug, PartialEq)]
+pub enum News {
+    /// A file was read.
+    Read {
+        /// What for.
+        errand: Errand,
+        /// Its path; on the web its name.
+        path: PathBuf,
+        /// What it holds.
+        bytes: Vec<u8>,
+    },
+    /// A file was written.
+    Written {
+        /// What for.
+        errand: Errand,
+        /// Its path; on the web its name.
+        path: PathBuf,
+    },
+    /// It cannot be done.
+    Failed {
+        /// What was to be done.
+        errand: Errand,
+        /// The file, where one was chosen.
+        path: Option<PathBuf>,
+        /// Why, without the file's name: `it has 71.2 MB, …`.
+        reason: String,
+    },
+    /// The user has changed their mind.
+    Cancelled(Errand),
+}
+
+/// The system around the window.
+pub trait Platform {
+    /// Asks the user for a file and reads it. To be called while a click or a
+    /// key is being handled: browsers refuse it at other times.
+    fn pick(&mut self, errand: Errand, folder: Option<&Path>);
+
+    /// Reads a file.
+    fn read(&mut self, errand: Errand, path: PathBuf);
+
+    /// Reads a file that was dropped on the window.
+    fn take(&mut self, errand: Errand, dropped: DroppedFileHandle);
+
+    /// Writes a file, wholly or not at all: what was there before stays until
+    /// the new contents are.
+    fn write(&mut self, errand: Errand, to: Destination, contents: Contents);
+
+    /// Does work while the window goes on, where there are threads; elsewhere
+    /// at once. Asks for a frame when it is done.
+    fn work(&mut self, work: Box<dyn FnOnce() + Send>);
+
+    /// What has become of an errand, if anything has.
+    fn poll(&mut self) -> Option<News>;
+
+    /// Whether a path that was read or written can be read or written again
+    /// without asking the user. So on a desktop; in a browser never.
+    fn keeps_paths(&self) -> bool;
+}

@@ -1,0 +1,279 @@
+//! The desktop: its dialogs, its files, a thread for whatever takes time.
+
+use super::{Contents, Destination, Errand, News, PictureKind, Platform};
+use eframe::egui::{Context, DroppedFileHandle};
+use rfd::AsyncFileDialog;
+use std::fs::{self, File};
+use std::io::{self, Read as _, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread::Builder;
+
+/// The desktop around a window.
+pub struct Native {
+    ctx: Context,
+    sender: Sender<News>,
+    receiver: Receiver<News>,
+}
+
+impl Native {
+    /// The desktop around the window of a context.
+    pub fn new(ctx: &Context) -> Self {
+        let (sender, receiver) = channel();
+        Self {
+            ctx: ctx.clone(),
+            sender,
+            receiver,
+        }
+    }
+
+    /// Sends what comes of some work on a thread.
+    fn run(&self, errand: Errand, work: impl FnOnce() -> News + Send + 'static) {
+        let (sender, ctx) = (self.sender.clone(), self.ctx.clone());
+        let started = Builder::new().name("files".to_owned()).spawn(move || {
+            // Nobody listens only when the window is gone.
+            let _ = sender.send(work());
+            ctx.request_repaint();
+        });
+        if let Err(error) = started {
+            let _ = self.sender.send(News::Failed {
+                errand,
+                path: None,
+                reason: format!("the system gives no thread for it: {error}"),
+            });
+        }
+    }
+}
+
+impl Platform for Native {
+    fn pick(&mut self, errand: Errand, folder: Option<&Path>) {
+        // Made here and not on the thread: macOS wants dialogs from the main one.
+        let picked = dialog(errand, folder).pick_file();
+        self.run(errand, move || match pollster::block_on(picked) {
+            Some(file) => read(errand, file.path().to_owned()),
+            None => News::Cancelled(errand),
+        });
+    }
+
+    fn read(&mut self, errand: Errand, path: PathBuf) {
+        self.run(errand, move || read(errand, path));
+    }
+
+    fn take(&mut self, errand: Errand, dropped: DroppedFileHandle) {
+        self.read(errand, dropped.path().to_owned());
+    }
+
+    fn write(&mut self, errand: Errand, to: Destination, contents: Contents) {
+        match to {
+            Destination::Known(path) => self.run(errand, move || write(errand, path, contents)),
+            Destination::Ask { name, folder } => {
+                let picked = dialog(errand, folder.as_deref()).set_file_name(name);
+                let picked = picked.save_file();
+                self.run(errand, move || match pollster::block_on(picked) {
+                    Some(file) => write(errand, with_ending(errand, file.path()), contents),
+                    None => News::Cancelled(errand),
+                });
+            }
+        }
+    }
+
+    fn work(&mut self, work: Box<dyn FnOnce() + Send>) {
+        let ctx = self.ctx.clone();
+        let started = Builder::new().name("work".to_owned()).spawn(move || {
+            work();
+            ctx.request_repaint();
+        });
+        if let Err(error) = started {
+            log::warn!("the system gives no thread: {error}");
+        }
+    }
+
+    fn poll(&mut self) -> Option<News> {
+        self.receiver.try_recv().ok()
+    }
+
+    fn keeps_paths(&self) -> bool {
+        true
+    }
+}
+
+fn dialog(errand: Errand, folder: Option<&Path>) -> AsyncFileDialog {
+    let (title, kind) = match errand {
+        Errand::Scene => ("Open a scene", "Scenes"),
+        Errand::Measurements => ("Import measurements", "Tables"),
+        Errand::Photo | Errand::KnownPhoto => ("Place a photograph", "Photographs"),
+        Errand::Save => ("Save the scene", "Scenes"),
+        Errand::Picture(PictureKind::Svg) => ("Export as SVG", "SVG pictures"),
+        Errand::Picture(PictureKind::Png) => ("Export as PNG", "PNG pictures"),
+        Errand::Table => ("Export as CSV", "Tables"),
+    };
+    let dialog = AsyncFileDialog::new()
+        .set_title(title)
+        .add_filter(kind, errand.endings());
+    match folder {
+        Some(folder) => dialog.set_directory(folder),
+        None => dialog,
+    }
+}
+
+/// The path with the errand's ending where the user gave none.
+fn with_ending(errand: Errand, path: &Path) -> PathBuf {
+    match (path.extension(), errand.endings().first()) {
+        (None, Some(ending)) => path.with_extension(ending),
+        _ => path.to_owned(),
+    }
+}
+
+fn read(errand: Errand, path: PathBuf) -> News {
+    match contents(errand, &path) {
+        Ok(bytes) => News::Read {
+            errand,
+            path,
+            bytes,
+        },
+        Err(reason) => News::Failed {
+            errand,
+            path: Some(path),
+            reason,
+        },
+    }
+}
+
+fn contents(errand: Errand, path: &Path) -> Result<Vec<u8>, String> {
+    let about = fs::metadata(path).map_err(|error| told(&error))?;
+    if about.is_dir() {
+        return Err("it is a folder; choose a file in it".to_owned());
+    }
+    if !about.is_file() {
+        return Err("it is not an ordinary file".to_owned());
+    }
+    if let Some(reason) = errand.too_large(about.len()) {
+        return Err(reason);
+    }
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(|error| told(&error))?;
+    // A file may grow while it is read.
+    let read = file.take(errand.most_bytes() + 1).read_to_end(&mut bytes);
+    read.map_err(|error| told(&error))?;
+    match errand.too_large(bytes.len() as u64) {
+        Some(reason) => Err(reason),
+        None => Ok(bytes),
+    }
+}
+
+fn write(errand: Errand, path: PathBuf, contents: Contents) -> News {
+    let written =
+        contents(&path).and_then(|bytes| replace(&path, &bytes).map_err(|error| told(&error)));
+    match written {
+        Ok(()) => News::Written { errand, path },
+        Err(reason) => News::Failed {
+            errand,
+            path: Some(path),
+            reason,
+        },
+    }
+}
+
+/// Puts a file in the place of another in one step, so that a crash or a full
+/// disk leaves one of the two whole.
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // A link keeps pointing to where it does.
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let name = path
+        .file_name()
+        .ok_or_else(|| io::Error::from(io::ErrorKind::InvalidInput))?;
+    let mut beside = name.to_owned();
+    beside.push(format!(".{}.part", std::process::id()));
+    let beside = path.with_file_name(beside);
+    let written = (|| {
+        let mut file = File::create(&beside)?;
+        file.write_all(bytes)?;
+        file.sync_all()?;
+        if let Ok(before) = fs::metadata(&path) {
+            if before.permissions().readonly() {
+                return Err(io::Error::from(io::ErrorKind::PermissionDenied));
+            }
+            fs::set_permissions(&beside, before.permissions())?;
+        }
+        fs::rename(&beside, &path)
+    })();
+    if written.is_err() {
+        let _ = fs::remove_file(&beside);
+    }
+    written
+}
+
+/// An error of the system in words that say what to do.
+fn told(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "it is not there any more".to_owned(),
+        io::ErrorKind::PermissionDenied => {
+            "you may not read or change it; choose another place, or ask whoever owns it".to_owned()
+        }
+        io::ErrorKind::StorageFull => {
+            "the disk is full; make room or choose another place".to_owned()
+        }
+        io::ErrorKind::ReadOnlyFilesystem => {
+            "that place cannot be written to; choose another".to_owned()
+        }
+        _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A folder that is gone with the test.
+    struct Folder(PathBuf);
+
+    impl Folder {
+        fn new(name: &str) -> Self {
+            let folder = std::env::temp_dir().join(format!("sinew-{name}-{}", std::process::id()));
+            fs::create_dir_all(&folder).unwrap();
+            Self(folder)
+        }
+    }
+
+    impl Drop for Folder {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+
+    #[test]
+    fn a_file_is_replaced_whole_and_nothing_else_is_left() {
+        let folder = Folder::new("replace");
+        let path = folder.0.join("a.toml");
+        replace(&path, b"one").unwrap();
+        replace(&path, b"two").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"two");
+        assert_eq!(fs::read_dir(&folder.0).unwrap().count(), 1);
+        // A name that cannot be: the folder itself.
+        assert!(replace(&folder.0, b"three").is_err());
+        assert!(replace(&folder.0.join("no/such/folder.toml"), b"").is_err());
+        assert_eq!(fs::read_dir(&folder.0).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_told_in_words() {
+        let folder = Folder::new("read");
+        let refusal = |path: &Path| contents(Errand::Scene, path).unwrap_err();
+        assert!(refusal(&folder.0).contains("folder"));
+        assert!(refusal(&folder.0.join("gone.toml")).contains("not there"));
+        let large = folder.0.join("large.toml");
+        File::create(&large).unwrap().set_len(5 << 20).unwrap();
+        assert!(refusal(&large).contains("5.0 MB") && refusal(&large).contains("4 MB at most"));
+        assert!(contents(Errand::Photo, &large).is_ok());
+    }
+
+    #[test]
+    fn a_name_without_an_ending_gets_one() {
+        let check = |errand, path: &str, expect: &str| {
+            assert_eq!(with_ending(errand, Path::new(path)), Path::new(expect));
+        };
+        check(Errand::Save, "a", "a.toml");
+        check(Errand::Save, "a.txt", "a.txt");
+        check(Errand::Picture(PictureKind::Png), "b", "b.png");
+    }
+}

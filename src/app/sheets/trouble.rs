@@ -1,0 +1,101 @@
+//! Something that did not work: what, every reason, and a way out.
+
+use super::{Stays, caption, main_button, modal, plain_button, room};
+use crate::app::commands::Command;
+use crate::app::look::{Tokens, icon_font, icons, semibold};
+use crate::app::state::State;
+use eframe::egui::{Align, Context, Layout, RichText, ScrollArea};
+
+/// Something that did not work.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trouble {
+    /// What.
+    pub title: String,
+    /// Why, in sentences.
+    pub reasons: Vec<String>,
+    /// What can be done, leading to the offer.
+    pub advice: Option<String>,
+    /// The way out besides closing.
+    pub offer: Option<(String, Command)>,
+}
+
+impl Trouble {
+    pub(super) fn new(title: String, reasons: Vec<String>) -> Self {
+        Self {
+            title,
+            reasons,
+            advice: None,
+            offer: None,
+        }
+    }
+
+    /// The same with what can be done.
+    #[must_use]
+    pub fn with(mut self, advice: &str) -> Self {
+        self.advice = Some(advice.to_owned());
+        self
+    }
+
+    /// The same with a button.
+    #[must_use]
+    pub fn offering(mut self, label: &str, command: Command) -> Self {
+        self.offer = Some((label.to_owned(), command));
+        self
+    }
+}
+
+pub(super) fn show(ctx: &Context, state: &mut State, trouble: &Trouble, fresh: bool) -> Stays {
+    let (width, height) = room(ctx, 520.0, 360.0);
+    let response = modal(ctx, "trouble").show(ctx, |ui| {
+        ui.set_width(width);
+        let tokens = Tokens::in_ui(ui);
+        ui.horizontal(|ui| {
+            let sign = RichText::new(icons::WARNING_CIRCLE).font(icon_font(22.0));
+            ui.label(sign.color(tokens.error));
+            ui.label(RichText::new(&trouble.title).font(semibold(18.0)));
+        });
+        ui.add_space(8.0);
+        if trouble.reasons.len() > 1 {
+            caption(ui, &format!("{} faults", trouble.reasons.len()));
+        }
+        ScrollArea::vertical().max_height(height).show(ui, |ui| {
+            for reason in &trouble.reasons {
+                ui.horizontal_top(|ui| {
+                    if trouble.reasons.len() > 1 {
+                        ui.label(RichText::new("•").color(tokens.muted));
+                    }
+                    ui.label(reason);
+                });
+                ui.add_space(2.0);
+            }
+        });
+        if let Some(advice) = &trouble.advice {
+            ui.add_space(8.0);
+            ui.label(RichText::new(advice).color(tokens.muted));
+        }
+        ui.add_space(16.0);
+        let mut closed = false;
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let close = if trouble.offer.is_some() {
+                plain_button(ui, "Close")
+            } else {
+                main_button(ui, "Close")
+            };
+            closed = close.clicked();
+            let mut first = close;
+            if let Some((label, command)) = &trouble.offer {
+                let offer = main_button(ui, label);
+                if offer.clicked() {
+                    state.commands.push(*command);
+                    closed = true;
+                }
+                first = offer;
+            }
+            if fresh {
+                first.request_focus();
+            }
+        });
+        closed
+    });
+    Stays::unless(response.inner || response.should_close())
+}
