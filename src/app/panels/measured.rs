@@ -1,1 +1,144 @@
-//! What can be done with the measurements while they are selected.
+//! What can be done with the measurements while they are selected: how far the
+//! robot is from the measured backbone, the pull that suits it best, and the
+//! force readings.
+
+use super::row;
+use crate::app::commands::Command;
+use crate::app::look::{Tokens, icon, icons, semibold};
+use crate::app::measured;
+use crate::app::state::{Selection, State};
+use crate::experiments::ShapeFit;
+use crate::scene::Measurements;
+use crate::units::millimetres;
+use crate::view::Quantity;
+use eframe::egui::{Align, Grid, Layout, RichText, ScrollArea, Spinner, Ui, vec2};
+
+/// Shows the measurements.
+pub fn show(ui: &mut Ui, state: &mut State) {
+    let Some(held) = state.document.scene.measured.clone() else {
+        state.selection = Selection::Nothing;
+        return;
+    };
+    ui.horizontal(|ui| {
+        ui.label(icon(icons::RULER));
+        ui.label(RichText::new("Measurements").font(semibold(14.0)));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            super::bar::button(ui, state, Command::Delete);
+        });
+    });
+    ui.add_space(4.0);
+    if !held.points_mm.is_empty() {
+        backbone(ui, state, &held);
+    }
+    if !held.forces.is_empty() {
+        ui.add_space(12.0);
+        forces(ui, &held);
+    }
+    ui.add_space(8.0);
+    if ui.button("Import another table …").clicked() {
+        state.commands.push(Command::ImportMeasurements);
+    }
+}
+
+fn backbone(ui: &mut Ui, state: &mut State, held: &Measurements) {
+    row::heading(ui, "Backbone");
+    let by = if held.nodes.is_empty() {
+        "each against the nearest point"
+    } else {
+        "each against its node"
+    };
+    ui.label(
+        RichText::new(format!("{} points, {by}", held.points_mm.len()))
+            .small()
+            .weak(),
+    );
+    let length = state.live.problem().length();
+    match measured::fit(state) {
+        Some(Ok(fit)) => distances(ui, fit, length),
+        Some(Err(fault)) => {
+            let colour = Tokens::in_ui(ui).warning;
+            let told = crate::app::files::sentence(&fault.to_string());
+            ui.label(RichText::new(told).color(colour));
+            return;
+        }
+        None => return,
+    }
+    ui.add_space(8.0);
+    best(ui, state, length);
+}
+
+/// The paper's measure, in mm and as a share of the length.
+fn distances(ui: &mut Ui, fit: &ShapeFit, length: f64) {
+    Grid::new("distances")
+        .num_columns(3)
+        .spacing(vec2(12.0, 4.0))
+        .show(ui, |ui| {
+            for (name, distance) in [("RMS distance", fit.rms), ("Greatest", fit.max)] {
+                ui.label(name);
+                ui.label(Quantity::fixed(millimetres(distance), 2, "mm").text());
+                ui.weak(Quantity::fixed(100.0 * distance / length, 2, "% of length").text());
+                ui.end_row();
+            }
+        });
+}
+
+/// The pull that suits the backbone best.
+fn best(ui: &mut Ui, state: &mut State, length: f64) {
+    if state.measuring.is_searching() {
+        ui.horizontal(|ui| {
+            ui.add(Spinner::new().size(16.0));
+            ui.label("Trying every pull");
+        });
+        return;
+    }
+    let found = state
+        .measuring
+        .best(&state.document.scene)
+        .map(|best| best.fit.clone());
+    match found {
+        None => {
+            if ui.button("Find the best pull").clicked() {
+                measured::search(state);
+            }
+        }
+        Some(Err(reason)) => {
+            let colour = Tokens::in_ui(ui).warning;
+            let told = crate::app::files::sentence(&reason);
+            ui.label(RichText::new(told).color(colour));
+        }
+        Some(Ok(fit)) => {
+            let pull = Quantity::fixed(millimetres(fit.pull), 2, "mm").text();
+            ui.label(format!("Best pull {pull}"));
+            distances(ui, &fit, length);
+            let there = state.document.scene.actuation.pull_mm == millimetres(fit.pull);
+            ui.add_space(4.0);
+            ui.add_enabled_ui(!there, |ui| {
+                if ui.button("Apply").clicked() {
+                    measured::apply(state);
+                }
+            });
+        }
+    }
+}
+
+fn forces(ui: &mut Ui, held: &Measurements) {
+    row::heading(ui, "Force readings");
+    ScrollArea::vertical()
+        .id_salt("readings")
+        .max_height(160.0)
+        .show(ui, |ui| {
+            Grid::new("readings")
+                .num_columns(2)
+                .spacing(vec2(24.0, 2.0))
+                .show(ui, |ui| {
+                    ui.weak("Load, g");
+                    ui.weak("Force, g");
+                    ui.end_row();
+                    for reading in &held.forces {
+                        ui.label(Quantity::fixed(reading.load_g, 1, "").text());
+                        ui.label(Quantity::fixed(reading.force_g, 1, "").text());
+                        ui.end_row();
+                    }
+                });
+        });
+}

@@ -1,1 +1,133 @@
-//! What can be done with the photograph while it is selected.
+//! What can be done with the photograph while it is selected: how much of it
+//! shows, where it lies, its scale by two points, and removing it.
+
+use super::inspector::{Form, Number, with_form};
+use super::row;
+use crate::app::commands::Command;
+use crate::app::files::shown;
+use crate::app::look::{Tokens, icon, icons, semibold};
+use crate::app::photo::{Photograph, Scaling};
+use crate::app::state::{Selection, State};
+use crate::scene::limits::{ANGLE, COORDINATE, PHOTO_WIDTH};
+use crate::scene::{Photo, Scene};
+use eframe::egui::{Align, DragValue, Layout, RichText, Slider, Ui};
+use std::path::Path;
+
+/// Shows the photograph's fields.
+pub fn show(ui: &mut Ui, state: &mut State) {
+    let Some(photo) = state.document.scene.photo.clone() else {
+        state.selection = Selection::Nothing;
+        return;
+    };
+    ui.horizontal(|ui| {
+        ui.label(icon(icons::IMAGE));
+        ui.label(RichText::new("Photograph").font(semibold(14.0)));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            super::bar::button(ui, state, Command::Delete);
+        });
+    });
+    ui.add_space(4.0);
+    about(ui, state, &photo);
+    ui.horizontal(|ui| {
+        let label = ui.label("Opacity");
+        if let Some(photo) = &mut state.document.scene.photo {
+            let mut percent = 100.0 * photo.opacity;
+            let slider = Slider::new(&mut percent, 0.0..=100.0)
+                .fixed_decimals(0)
+                .suffix(" %");
+            if ui.add(slider).labelled_by(label.id).changed() {
+                photo.opacity = (percent / 100.0).clamp(0.0, 1.0);
+            }
+        }
+    });
+    with_form(state, |scene, form| fields(ui, form, scene));
+    ui.add_space(8.0);
+    scale(ui, state);
+}
+
+/// Its file and what is known of it.
+fn about(ui: &mut Ui, state: &mut State, photo: &Photo) {
+    let tokens = Tokens::in_ui(ui);
+    let name = shown(Path::new(&photo.file));
+    let (told, colour) = match state.photos.get(photo) {
+        Some(Photograph::Here { size: [w, h], .. }) => {
+            (format!("{name}, {w} × {h} pixels"), tokens.muted)
+        }
+        Some(Photograph::Coming) => (format!("{name} is being read"), tokens.muted),
+        Some(Photograph::Missing(reason)) => {
+            (format!("{name} is not shown. {reason}"), tokens.warning)
+        }
+        None => (format!("{name} is not shown."), tokens.warning),
+    };
+    ui.label(RichText::new(told).small().color(colour))
+        .on_hover_text(&photo.file);
+    let here = matches!(
+        state.photos.get(photo),
+        Some(Photograph::Here { .. } | Photograph::Coming)
+    );
+    if !here && ui.button("Choose the picture …").clicked() {
+        state.commands.push(Command::PlacePhoto);
+    }
+    ui.add_space(4.0);
+}
+
+fn fields(ui: &mut Ui, form: &mut Form<'_>, scene: &mut Scene) {
+    let Some(photo) = &mut scene.photo else {
+        return;
+    };
+    for (axis, name) in ["Centre x", "Centre y"].into_iter().enumerate() {
+        let path = format!("photo.center_mm[{axis}]");
+        let number = Number::length(path, name, COORDINATE);
+        form.number(ui, &number, &mut photo.center_mm[axis]);
+    }
+    let number = Number::length("photo.width_mm", "Width", PHOTO_WIDTH);
+    form.number(ui, &number, &mut photo.width_mm);
+    let number = Number::angle("photo.rotation_deg", "Rotation", ANGLE);
+    form.number(ui, &number, &mut photo.rotation_deg);
+}
+
+/// The scale tool, step by step.
+fn scale(ui: &mut Ui, state: &mut State) {
+    let Some(mut scaling) = state.photos.scaling.clone() else {
+        let button = ui.button("Scale by two points");
+        if button
+            .on_hover_text("Two points of known distance give the photograph its size")
+            .clicked()
+        {
+            state.photos.scaling = Some(Scaling::default());
+        }
+        return;
+    };
+    let mut done = false;
+    row::heading(ui, "Scale by two points");
+    match scaling.points.len() {
+        0 => ui.label("Click a first point of the photograph."),
+        1 => ui.label("Click a second one, far from the first."),
+        _ => ui.label("Type how far apart they are."),
+    };
+    if scaling.points.len() == 2 {
+        ui.horizontal(|ui| {
+            let label = ui.label("Distance");
+            let field = DragValue::new(&mut scaling.distance_mm)
+                .speed(0.1)
+                .range(1e-3..=1e6)
+                .fixed_decimals(2)
+                .suffix(" mm");
+            ui.add(field).labelled_by(label.id);
+        });
+    }
+    ui.horizontal(|ui| {
+        let photo = state.document.scene.photo.as_ref();
+        let applied = photo.and_then(|photo| scaling.applied(photo));
+        ui.add_enabled_ui(applied.is_some(), |ui| {
+            if ui.button("Apply").clicked() {
+                state.document.scene.photo = applied;
+                done = true;
+            }
+        });
+        if ui.button("Cancel").clicked() {
+            done = true;
+        }
+    });
+    state.photos.scaling = (!done).then_some(scaling);
+}

@@ -6,13 +6,12 @@ mod obstacle;
 mod robot;
 mod summary;
 
-pub use form::Complaint;
+pub use form::{Complaint, Form, Number};
 
 use super::Panels;
 use crate::app::state::{Selection, State};
 use crate::scene::SceneError;
 use eframe::egui::{ScrollArea, Ui};
-use form::Form;
 
 /// Shows the inspector in the room there is.
 pub fn show(ui: &mut Ui, state: &mut State) {
@@ -29,11 +28,16 @@ pub fn show(ui: &mut Ui, state: &mut State) {
             Selection::Nothing => summary::show(ui, state),
             Selection::Robot => robot::show(ui, state),
             Selection::Obstacle(index) => obstacle::show(ui, state, index),
+            Selection::Photo => super::photo::show(ui, state),
+            Selection::Measured => super::measured::show(ui, state),
         });
 }
 
 /// A form for a part of the scene, which is handed out beside it.
-fn with_form(state: &mut State, add: impl FnOnce(&mut crate::scene::Scene, &mut Form<'_>)) {
+pub(super) fn with_form(
+    state: &mut State,
+    add: impl FnOnce(&mut crate::scene::Scene, &mut Form<'_>),
+) {
     let faults: &[SceneError] = state.refusal.as_ref().map_or(&[], |it| &it.faults);
     let Panels { complaint, .. } = &mut state.panels;
     add(&mut state.document.scene, &mut Form::new(complaint, faults));

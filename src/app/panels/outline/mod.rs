@@ -28,6 +28,7 @@ pub struct Renaming {
 pub fn show(ui: &mut Ui, state: &mut State, most: f32) {
     ui.spacing_mut().item_spacing.y = 2.0;
     robot(ui, state);
+    besides(ui, state);
     ui.add_space(8.0);
     head(ui, state);
     let count = state.document.scene.obstacles.len();
@@ -87,6 +88,36 @@ fn robot(ui: &mut Ui, state: &mut State) {
         choose(&response, state, Selection::Robot);
     }
     keys(ui, &response, state, Selection::Robot);
+}
+
+/// What there is besides the robot and its obstacles.
+fn besides(ui: &mut Ui, state: &mut State) {
+    let scene = &state.document.scene;
+    let rows = [
+        (
+            scene.measured.is_some(),
+            Selection::Measured,
+            icons::RULER,
+            "Measurements",
+        ),
+        (
+            scene.photo.is_some(),
+            Selection::Photo,
+            icons::IMAGE,
+            "Photograph",
+        ),
+    ];
+    for (_, this, glyph, name) in rows.into_iter().filter(|(there, ..)| *there) {
+        let standing = Standing {
+            selected: state.selection == this,
+            lit: false,
+        };
+        let response = row::row(ui, row_id(this), name, standing);
+        contents(ui, response.rect, glyph, name);
+        if response.clicked() {
+            choose(&response, state, this);
+        }
+    }
 }
 
 fn obstacle(ui: &mut Ui, state: &mut State, index: usize, share: Option<f64>) {
@@ -158,6 +189,8 @@ fn row_id(of: Selection) -> Id {
         Selection::Nothing => Id::unique("outline"),
         Selection::Robot => Id::unique("outline robot"),
         Selection::Obstacle(index) => Id::unique(("outline obstacle", index)),
+        Selection::Photo => Id::unique("outline photograph"),
+        Selection::Measured => Id::unique("outline measurements"),
     }
 }
 
