@@ -7,7 +7,7 @@ pub use run::run;
 
 use super::canvas::Tool;
 use super::look::icons;
-use super::state::State;
+use super::state::{Selection, State};
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, Popup};
 
 /// Something the user can ask for.
@@ -248,10 +248,15 @@ impl Command {
         match self {
             Command::Undo => state.history.can_undo(&state.document.scene),
             Command::Redo => state.history.can_redo(),
-            Command::Delete | Command::Duplicate => state.selection.obstacle().is_some(),
+            Command::Delete => {
+                let kept = matches!(state.selection, Selection::Nothing | Selection::Robot);
+                !kept
+            }
+            Command::Duplicate => state.selection.obstacle().is_some(),
             Command::Deselect => {
                 state.canvas.is_giving_up_something()
-                    || state.selection != super::state::Selection::Nothing
+                    || state.photos.scaling.is_some()
+                    || state.selection != Selection::Nothing
             }
             _ => true,
         }

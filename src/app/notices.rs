@@ -102,7 +102,7 @@ impl Notices {
         self.shown
             .retain(|notice| notice.until.is_none_or(|until| until > now));
         let mut dismissed = None;
-        Area::new(Id::new("notices"))
+        Area::new(Id::unique("notices"))
             .order(Order::Foreground)
             .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -72.0))
             .show(ctx, |ui| {

@@ -35,6 +35,7 @@ pub enum Space {
 pub fn hold_space(ctx: &Context, state: &mut State) {
     let pointer = ctx.input(|input| input.pointer.hover_pos());
     let over = pointer.is_some_and(|at| state.canvas.rect.contains(at));
+    let over = over && !state.sheets.is_open();
     let canvas = &mut state.canvas;
     if over && is_ours(ctx, canvas) {
         let pressed = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Space));
@@ -60,7 +61,7 @@ fn is_ours(ctx: &Context, canvas: &Canvas) -> bool {
 pub fn follow(response: &Response, state: &mut State, frame: &Frame) {
     let ctx = &response.ctx;
     state.canvas.id = Some(response.id);
-    if !is_ours(ctx, &state.canvas) {
+    if !is_ours(ctx, &state.canvas) || state.sheets.is_open() {
         return;
     }
     let filter = EventFilter {

@@ -47,6 +47,14 @@ pub fn run(command: Command, state: &mut State, ctx: &Context) {
                 state.selection = Selection::Obstacle(scene.obstacles.len() - 1);
             }
         }
+        Command::Delete if state.selection == Selection::Photo => {
+            scene.photo = None;
+            state.selection = Selection::Nothing;
+        }
+        Command::Delete if state.selection == Selection::Measured => {
+            scene.measured = None;
+            state.selection = Selection::Nothing;
+        }
         Command::Delete => {
             if let Some(index) = state.selection.obstacle()
                 && let Some(obstacle) = scene.obstacles.get_mut(index)
@@ -57,7 +65,7 @@ pub fn run(command: Command, state: &mut State, ctx: &Context) {
             }
         }
         Command::Deselect => {
-            if !state.canvas.give_up(scene) {
+            if state.photos.scaling.take().is_none() && !state.canvas.give_up(scene) {
                 state.selection = Selection::Nothing;
             }
         }

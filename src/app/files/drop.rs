@@ -93,7 +93,7 @@ pub fn announce(ui: &Ui) {
         Dropped::For(_) => tokens.accent,
         Dropped::Useless => tokens.warning,
     };
-    let painter = ctx.layer_painter(LayerId::new(Order::Foreground, Id::new("drop")));
+    let painter = ctx.layer_painter(LayerId::new(Order::Foreground, Id::unique("drop")));
     let window = ctx.content_rect();
     painter.rect_filled(window, 0.0, tokens.canvas.gamma_multiply(0.86));
     let inner = window.shrink(16.0);

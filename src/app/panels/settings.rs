@@ -10,7 +10,7 @@ use eframe::egui::{
 
 /// The id of the settings' popover, to open it from elsewhere.
 pub fn settings_id() -> Id {
-    Id::new("settings")
+    Id::unique("settings")
 }
 
 /// Shows the button of the settings, and the settings while they are open.

@@ -7,7 +7,7 @@ use image::{DynamicImage, ImageDecoder as _, ImageFormat, ImageReader, Limits};
 use std::io::Cursor;
 
 /// The most pixels on a side of a photograph.
-pub const MOST_SIDE: u32 = 8192;
+const MOST_SIDE: u32 = 8192;
 /// The most memory that decoding one may take, in bytes: that of its pixels
 /// at most, and as much again.
 const MOST_BYTES: u64 = 2 * 4 * (MOST_SIDE as u64) * (MOST_SIDE as u64);

@@ -5,7 +5,7 @@
 mod decode;
 mod place;
 
-pub use decode::{Decoded, MOST_SIDE, decode};
+pub use decode::{Decoded, decode};
 pub use place::{Scaling, interact, outline, paint};
 
 use super::files::{sentence, shown};

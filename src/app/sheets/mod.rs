@@ -8,7 +8,6 @@ mod help;
 mod palette;
 mod trouble;
 
-pub use palette::score;
 pub use trouble::Trouble;
 
 use super::files::Intent;
@@ -130,7 +129,7 @@ fn modal(ctx: &Context, name: &str) -> Modal {
     } else {
         80
     };
-    Modal::new(Id::new(name))
+    Modal::new(Id::unique(name))
         .backdrop_color(Color32::from_black_alpha(shade))
         .frame(frame(&ctx.global_style()))
 }
@@ -170,7 +169,7 @@ fn large(
 /// A small sheet at the top of the window, as for words that are typed.
 fn at_top(ctx: &Context, name: &str, width: f32, content: impl FnOnce(&mut Ui)) -> Stays {
     let (width, _) = room(ctx, width, 0.0);
-    let id = Id::new(name);
+    let id = Id::unique(name);
     let down = (0.12 * ctx.content_rect().height()).min(96.0);
     let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, down));
     let frame = frame(&ctx.global_style()).inner_margin(Margin::same(8));

@@ -4,7 +4,7 @@
 use super::{Stays, at_top};
 use crate::app::commands::{ALL, Command};
 use crate::app::examples::{EXAMPLES, Example};
-use crate::app::files::{self, shown};
+use crate::app::files::shown;
 use crate::app::look::{Tokens, icon, icons};
 use crate::app::platform::Errand;
 use crate::app::state::State;
@@ -44,7 +44,7 @@ struct Line {
 
 /// How well a title answers what was typed: `None` where its letters do not
 /// occur in their order; more where they begin words or follow each other.
-pub fn score(title: &str, typed: &str) -> Option<i32> {
+fn score(title: &str, typed: &str) -> Option<i32> {
     let title: Vec<char> = title.chars().flat_map(char::to_lowercase).collect();
     let wanted = typed.chars().flat_map(char::to_lowercase);
     let wanted: Vec<char> = wanted.filter(|c| !c.is_whitespace()).collect();

@@ -1,0 +1,199 @@
+//! A system in memory around a window: files, answers to its dialogs, and what
+//! it stores.
+
+use eframe::egui::{DroppedFile, DroppedFileHandle};
+use sinew::app::platform::{Contents, Destination, Errand, News, Platform};
+use std::collections::{BTreeMap, VecDeque};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+/// The files, and what is to happen next. Clones are the same desk.
+#[derive(Clone, Default)]
+pub struct Desk {
+    inner: Arc<Mutex<Inner>>,
+}
+
+#[derive(Default)]
+struct Inner {
+    files: BTreeMap<PathBuf, Vec<u8>>,
+    answers: VecDeque<Option<PathBuf>>,
+    offered: Vec<String>,
+    news: VecDeque<News>,
+    full: bool,
+}
+
+impl Desk {
+    /// Puts a file there.
+    pub fn put(&self, path: &str, bytes: impl Into<Vec<u8>>) {
+        let mut inner = self.inner.lock().unwrap();
+        inner.files.insert(path.into(), bytes.into());
+    }
+
+    /// Takes a file away.
+    pub fn remove(&self, path: &str) {
+        self.inner.lock().unwrap().files.remove(Path::new(path));
+    }
+
+    /// What a file holds.
+    pub fn get(&self, path: &str) -> Option<Vec<u8>> {
+        let inner = self.inner.lock().unwrap();
+        inner.files.get(Path::new(path)).cloned()
+    }
+
+    /// What a file holds, as text.
+    pub fn text(&self, path: &str) -> String {
+        String::from_utf8(self.get(path).unwrap()).unwrap()
+    }
+
+    /// The next dialog will be answered like this.
+    pub fn answer(&self, path: Option<&str>) {
+        let answer = path.map(PathBuf::from);
+        self.inner.lock().unwrap().answers.push_back(answer);
+    }
+
+    /// The names that dialogs have offered for saving.
+    pub fn offered(&self) -> Vec<String> {
+        self.inner.lock().unwrap().offered.clone()
+    }
+
+    /// From now on nothing can be written.
+    pub fn fill_up(&self) {
+        self.inner.lock().unwrap().full = true;
+    }
+
+    /// A file as it is dropped on a window.
+    pub fn dropped(&self, path: &str) -> DroppedFileHandle {
+        let bytes = self.get(path).unwrap();
+        let path = path.into();
+        Arc::new(Falling { path, bytes })
+    }
+}
+
+impl Inner {
+    fn read(&mut self, errand: Errand, path: PathBuf) {
+        let news = match self.files.get(&path).cloned() {
+            None => Err("it is not there any more".to_owned()),
+            Some(bytes) => match errand.too_large(bytes.len() as u64) {
+                Some(reason) => Err(reason),
+                None => Ok(bytes),
+            },
+        };
+        self.news.push_back(match news {
+            Ok(bytes) => News::Read {
+                errand,
+                path,
+                bytes,
+            },
+            Err(reason) => News::Failed {
+                errand,
+                path: Some(path),
+                reason,
+            },
+        });
+    }
+
+    fn answered(&mut self, errand: Errand) -> Option<PathBuf> {
+        let answer = self.answers.pop_front().expect("a dialog nobody foresaw");
+        if answer.is_none() {
+            self.news.push_back(News::Cancelled(errand));
+        }
+        answer
+    }
+}
+
+impl Platform for Desk {
+    fn pick(&mut self, errand: Errand, _folder: Option<&Path>) {
+        let mut inner = self.inner.lock().unwrap();
+        if let Some(path) = inner.answered(errand) {
+            inner.read(errand, path);
+        }
+    }
+
+    fn read(&mut self, errand: Errand, path: PathBuf) {
+        self.inner.lock().unwrap().read(errand, path);
+    }
+
+    fn take(&mut self, errand: Errand, dropped: DroppedFileHandle) {
+        let path = dropped.path().to_owned();
+        self.inner.lock().unwrap().read(errand, path);
+    }
+
+    fn write(&mut self, errand: Errand, to: Destination, contents: Contents) {
+        let mut inner = self.inner.lock().unwrap();
+        let path = match to {
+            Destination::Known(path) => path,
+            Destination::Ask { name, .. } => {
+                inner.offered.push(name);
+                match inner.answered(errand) {
+                    Some(path) => path,
+                    None => return,
+                }
+            }
+        };
+        let written = if inner.full {
+            Err("the disk is full".to_owned())
+        } else {
+            contents(&path)
+        };
+        let news = match written {
+            Ok(bytes) => {
+                inner.files.insert(path.clone(), bytes);
+                News::Written { errand, path }
+            }
+            Err(reason) => News::Failed {
+                errand,
+                path: Some(path),
+                reason,
+            },
+        };
+        inner.news.push_back(news);
+    }
+
+    fn work(&mut self, work: Box<dyn FnOnce() + Send>) {
+        work();
+    }
+
+    fn poll(&mut self) -> Option<News> {
+        self.inner.lock().unwrap().news.pop_front()
+    }
+
+    fn keeps_paths(&self) -> bool {
+        true
+    }
+}
+
+#[derive(Debug)]
+struct Falling {
+    path: PathBuf,
+    bytes: Vec<u8>,
+}
+
+impl DroppedFile for Falling {
+    fn path(&self) -> &Path {
+        &self.path
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        Ok(self.bytes.clone())
+    }
+}
+
+/// What outlives a window.
+#[derive(Clone, Debug, Default)]
+pub struct Storage(pub BTreeMap<String, String>);
+
+impl eframe::Storage for Storage {
+    fn get_string(&self, key: &str) -> Option<String> {
+        self.0.get(key).cloned()
+    }
+
+    fn set_string(&mut self, key: &str, value: String) {
+        self.0.insert(key.to_owned(), value);
+    }
+
+    fn remove_string(&mut self, key: &str) {
+        self.0.remove(key);
+    }
+
+    fn flush(&mut self) {}
+}
