@@ -20,7 +20,7 @@ mod tools;
 
 pub use hints::Hints;
 pub use keys::hold_space;
-pub use place::copied;
+pub use place::{clicked, copied};
 pub use tools::Tool;
 
 pub(super) use paint::drawing as paint_drawing;

@@ -1,20 +1,22 @@
-//! New obstacles: where they are put and how large they are.
+//! New obstacles from the outline: the canvas's, put where there is room.
 
 use super::icon_menu;
+use crate::app::canvas::{Tool, clicked};
 use crate::app::look::{icon, icons};
 use crate::app::state::{Selection, State};
 use crate::app::words;
-use crate::scene::{Obstacle, Robot, Shape};
+use crate::geometry::Vector;
+use crate::scene::{Robot, Scene, Shape};
 use crate::units::radians;
 use eframe::egui::{Button, Ui};
 
 /// A menu of the shapes there are.
 pub fn menu(ui: &mut Ui, state: &mut State) {
     icon_menu(ui, icons::PLUS, "Add an obstacle", |ui| {
-        for shape in shapes(&state.document.scene.robot) {
+        for shape in shapes(&state.document.scene) {
             let text = (icon(words::shape_icon(&shape)), words::shape(&shape));
             if ui.add(Button::new(text)).clicked() {
-                insert(state, shape.into());
+                insert(state, shape);
                 ui.close();
             }
         }
@@ -23,120 +25,107 @@ pub fn menu(ui: &mut Ui, state: &mut State) {
 
 /// Adds a disc.
 pub fn disc(state: &mut State) {
-    let [disc, ..] = shapes(&state.document.scene.robot);
-    insert(state, disc.into());
-}
-
-/// Adds a second one like an obstacle, beside it.
-pub fn twin(state: &mut State, index: usize) {
-    if let Some(obstacle) = state.document.scene.obstacles.get(index) {
-        insert(state, obstacle.clone());
+    if let Some(disc) = shapes(&state.document.scene).next() {
+        insert(state, disc);
     }
 }
 
-/// One of every shape, in a size that suits the robot: a tenth of its length.
-fn shapes(robot: &Robot) -> [Shape; 5] {
-    let size = whole(0.1 * robot.length_mm);
-    let center_mm = [0.0, 0.0];
-    [
-        Shape::Disc {
-            center_mm,
-            radius_mm: size,
-        },
-        Shape::Box {
-            center_mm,
-            size_mm: [2.0 * size, size],
-            rotation_deg: 0.0,
-            corner_radius_mm: 0.0,
-        },
-        Shape::Capsule {
-            center_mm,
-            length_mm: 2.0 * size,
-            radius_mm: 0.25 * size,
-            rotation_deg: 0.0,
-        },
-        Shape::Polygon {
-            points_mm: vec![[-size, -size], [size, -size], [0.0, size]],
-            rotation_deg: 0.0,
-            corner_radius_mm: 0.0,
-        },
-        Shape::Wall {
-            point_mm: center_mm,
-            rotation_deg: 180.0 + robot.base_angle_deg,
-            corner_radius_mm: 0.0,
-        },
-    ]
+fn insert(state: &mut State, shape: Shape) {
+    let obstacles = &mut state.document.scene.obstacles;
+    obstacles.push(shape.into());
+    state.selection = Selection::Obstacle(obstacles.len() - 1);
 }
 
-/// Puts an obstacle on the cable's side, where the robot comes when it is
-/// pulled, and farther out until it is clear of the base and of the others.
-fn insert(state: &mut State, mut obstacle: Obstacle) {
-    let scene = &mut state.document.scene;
+/// One of every shape, where there is room for it.
+fn shapes(scene: &Scene) -> impl Iterator<Item = Shape> + use<> {
+    let at = room(scene);
+    let robot = scene.robot.clone();
+    [
+        Tool::Disc,
+        Tool::Box,
+        Tool::Capsule,
+        Tool::Polygon,
+        Tool::Wall,
+    ]
+    .into_iter()
+    .map(move |tool| {
+        clicked(tool, at, &robot, 0.005 * robot.length_mm).unwrap_or_else(|| triangle(at, &robot))
+    })
+}
+
+fn triangle(at: Vector, robot: &Robot) -> Shape {
+    let size = 0.1 * robot.length_mm;
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (0.0, 1.0)];
+    Shape::Polygon {
+        points_mm: corners
+            .map(|(x, y)| (at + size * Vector::new(x, y)).into())
+            .to_vec(),
+        rotation_deg: 0.0,
+        corner_radius_mm: 0.0,
+    }
+}
+
+/// A place on the cable's side, where the robot comes when it is pulled, away
+/// from the other obstacles; in mm.
+fn room(scene: &Scene) -> Vector {
     let robot = &scene.robot;
     let (sine, cosine) = radians(robot.base_angle_deg).sin_cos();
+    let (out, up) = (Vector::new(cosine, sine), Vector::new(-sine, cosine));
     let length = robot.length_mm;
-    let place = |out: f64, up: f64| {
-        [
-            whole(robot.base_mm[0] + cosine * out - sine * up),
-            whole(robot.base_mm[1] + sine * out + cosine * up),
-        ]
-    };
-    let taken: Vec<[f64; 2]> = scene
-        .obstacles
-        .iter()
-        .map(|it| it.shape.anchor_mm())
-        .collect();
     let near = 0.15 * length;
-    let places = (0..40).map(|step| place(length * (0.3 + 0.1 * f64::from(step)), 0.6 * length));
-    let free = |at: &[f64; 2]| {
-        let away = |other: &[f64; 2]| (at[0] - other[0]).hypot(at[1] - other[1]) > near;
-        taken.iter().all(away)
+    let taken = || {
+        let others = scene.obstacles.iter();
+        others.map(|it| Vector::from(it.shape.anchor_mm()))
     };
-    let Some(at) = places.clone().find(free).or_else(|| places.clone().last()) else {
-        return;
-    };
-    obstacle.shape.move_to_mm(at);
-    let index = scene.obstacles.len();
-    scene.obstacles.push(obstacle);
-    state.selection = Selection::Obstacle(index);
-}
-
-/// Millimetres that read well.
-fn whole(value: f64) -> f64 {
-    if value.abs() < 5.0 {
-        value
-    } else {
-        value.round()
+    let mut at = Vector::from(robot.base_mm) + length * (0.3 * out + 0.6 * up);
+    // Each step may be next to another obstacle once.
+    for _ in 0..=scene.obstacles.len() {
+        if taken().all(|other| (other - at).norm() > near) {
+            break;
+        }
+        at += near * out;
     }
+    at
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::Problem;
-    use crate::scene::Scene;
 
     #[test]
     fn every_new_shape_is_one_that_can_be_solved() {
-        for angle in [0.0, 90.0, -37.0] {
+        for base_angle_deg in [0.0, 90.0, -37.0] {
             let robot = Robot {
-                base_angle_deg: angle,
+                base_angle_deg,
                 base_mm: [12.0, -7.0],
                 ..Robot::default()
             };
-            for mut shape in shapes(&robot) {
-                let (sine, cosine) = radians(angle).sin_cos();
-                let [out, up] = [0.3 * robot.length_mm, 0.6 * robot.length_mm];
-                shape.move_to_mm([
-                    12.0 + cosine * out - sine * up,
-                    -7.0 + sine * out + cosine * up,
-                ]);
-                let scene = Scene {
-                    robot: robot.clone(),
-                    obstacles: vec![shape.into()],
-                    ..Scene::default()
-                };
+            let empty = Scene {
+                robot,
+                ..Scene::default()
+            };
+            assert_eq!(shapes(&empty).count(), 5);
+            for shape in shapes(&empty) {
+                let mut scene = empty.clone();
+                scene.obstacles.push(shape.into());
                 assert_eq!(Problem::faults(&scene), []);
+            }
+        }
+    }
+
+    #[test]
+    fn each_finds_a_place_of_its_own() {
+        let mut scene = Scene::default();
+        for _ in 0..5 {
+            let disc = shapes(&scene).next().unwrap();
+            scene.obstacles.push(disc.into());
+        }
+        for (index, one) in scene.obstacles.iter().enumerate() {
+            for other in &scene.obstacles[index + 1..] {
+                let way =
+                    Vector::from(one.shape.anchor_mm()) - Vector::from(other.shape.anchor_mm());
+                assert!(way.norm() > 0.14 * scene.robot.length_mm);
             }
         }
     }

@@ -165,16 +165,16 @@ fn menu(ui: &mut Ui, state: &mut State, index: usize) {
         begin(state, index);
         ui.close();
     }
-    if ui.button("Duplicate").clicked() {
-        add::twin(state, index);
-        ui.close();
-    }
-    let keys = Command::Delete.entry().shortcut;
-    let keys = keys.map_or(String::new(), |keys| ui.ctx().format_shortcut(&keys));
-    if ui.add(Button::new("Delete").shortcut_text(keys)).clicked() {
-        state.selection = Selection::Obstacle(index);
-        state.commands.push(Command::Delete);
-        ui.close();
+    for command in [Command::Duplicate, Command::Delete] {
+        let entry = command.entry();
+        let keys = entry.shortcut;
+        let keys = keys.map_or(String::new(), |keys| ui.ctx().format_shortcut(&keys));
+        let item = Button::new(entry.title).shortcut_text(keys);
+        if ui.add(item).clicked() {
+            state.selection = Selection::Obstacle(index);
+            state.commands.push(command);
+            ui.close();
+        }
     }
 }
 
