@@ -71,6 +71,22 @@ impl Bench {
         }
     }
 
+    /// The same without what a hand has done.
+    fn again(&self) -> Self {
+        Self {
+            scene: self.scene.clone(),
+            problem: self.problem.clone(),
+            solution: self.solution.clone(),
+            path: self.path.clone(),
+            cache: PlotCache::default(),
+            shown: self.shown.clone(),
+            actions: Vec::new(),
+            pulls: Vec::new(),
+            calibrated: None,
+            ..*self
+        }
+    }
+
     /// A frame of the dock, as the window does it.
     fn frame(&mut self, ui: &mut egui::Ui) {
         self.link.hovered = self.link.hovering;
@@ -98,7 +114,7 @@ impl Bench {
     }
 }
 
-fn harness(bench: Bench, size: [f32; 2], theme: Theme) -> Harness<'static, Bench> {
+fn harness_of(bench: Bench, size: [f32; 2], theme: Theme) -> Harness<'static, Bench> {
     let mut harness = Harness::builder()
         .with_size(vec2(size[0], size[1]))
         .with_pixels_per_point(1.0)
@@ -146,40 +162,349 @@ fn load_cell() -> Scene {
     scene
 }
 
-/// A post that the branch ends on.
+/// A post that the robot slips off twice.
+fn slippery() -> Scene {
+    with_post([44.0, 170.0], 6.5)
+}
+
+/// A post that its branch ends on.
 fn ends() -> Scene {
+    with_post([44.0, 150.0], 6.5)
+}
+
+fn with_post(center_mm: [f64; 2], pull_mm: f64) -> Scene {
     let mut scene = scene(FREE);
     let post = Shape::Disc {
-        center_mm: [44.0, 170.0],
+        center_mm,
         radius_mm: 8.0,
     };
     scene.obstacles.push(post.into());
-    let block = Shape::Disc {
-        center_mm: [95.0, 60.0],
-        radius_mm: 20.0,
-    };
-    scene.obstacles.push(block.into());
-    scene.actuation.pull_mm = 6.5;
+    scene.actuation.pull_mm = pull_mm;
     scene
 }
 
+/// Two hundred segments that touch with their whole body.
+fn fine() -> Scene {
+    let mut scene = scene(BODY);
+    scene.robot.segments = 200;
+    scene.robot.segments_per_bay = 20;
+    scene
+}
+
+/// A plot's frame on the screen.
+fn frame(harness: &Harness<'_, Bench>, name: &str) -> Rect {
+    harness.get_by_label(name).rect()
+}
+
+/// Where an abscissa is on the screen, for a plot that shows `range` with a
+/// margin of this share on either side.
+fn across(frame: Rect, value: f64, range: (f64, f64), margin: f64) -> f32 {
+    let width = range.1 - range.0;
+    let share = (value - range.0 + margin * width) / (width * (1.0 + 2.0 * margin));
+    frame.left() + share as f32 * frame.width()
+}
+
+fn press(harness: &Harness<'_, Bench>, at: Pos2, pressed: bool) {
+    harness.event(egui::Event::PointerMoved(at));
+    harness.event(egui::Event::PointerButton {
+        pos: at,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    });
+}
+
+fn click(harness: &mut Harness<'_, Bench>, at: Pos2) {
+    // What is held for long is no click.
+    press(harness, at, true);
+    harness.step();
+    press(harness, at, false);
+    harness.run();
+}
+
+fn drag(harness: &mut Harness<'_, Bench>, from: Pos2, to: Pos2) {
+    press(harness, from, true);
+    harness.run();
+    for step in 1..=4 {
+        harness.event(egui::Event::PointerMoved(from.lerp(to, step as f32 / 4.0)));
+        harness.run();
+    }
+    press(harness, to, false);
+    harness.run();
+}
+
+const SIZE: [f32; 2] = [560.0, 300.0];
+
 #[test]
-fn pictures() {
-    let out = std::path::Path::new("/tmp/path-pictures");
-    std::fs::create_dir_all(out).unwrap();
-    for (theme, word) in [(Theme::Light, "light"), (Theme::Dark, "dark")] {
-        for (name, scene, last) in [
-            ("two", scene(TWO_DISCS), 0.008),
-            ("cell", load_cell(), 0.010),
-            ("ends", ends(), 0.016),
+fn every_plot_draws_whatever_there_is() {
+    for theme in [Theme::Light, Theme::Dark] {
+        for scene in [
+            scene(FREE),
+            scene(TWO_DISCS),
+            load_cell(),
+            slippery(),
+            ends(),
+            fine(),
         ] {
-            let bench = Bench::new(scene, last, &Plot::ALL);
-            let mut harness = harness(bench, [560.0, 1500.0], theme);
-            harness
-                .render()
-                .unwrap()
-                .save(out.join(format!("{name}-{word}.png")))
-                .unwrap();
+            let mut bench = Bench::new(scene, 0.013, &Plot::ALL);
+            harness_of(bench.again(), [480.0, 1500.0], theme);
+            bench.path = None;
+            harness_of(bench.again(), [480.0, 1500.0], theme);
+            bench.solution = Solution::default();
+            bench.path = Some(Path::default());
+            // Hardly any room.
+            harness_of(bench.again(), [120.0, 400.0], theme);
         }
     }
+}
+
+#[test]
+fn a_stem_under_the_pointer_is_the_contact_everywhere() {
+    let bench = Bench::new(scene(TWO_DISCS), 0.008, &[Plot::Multipliers, Plot::Bends]);
+    let mut harness = harness_of(bench, [560.0, 600.0], Theme::Light);
+    let stems = frame(&harness, "Multipliers by node");
+    let node = |node: f64| across(stems, node, (0.0, 18.0), 0.025);
+    // Each contact, then the nodes between them, then the other plot's segments.
+    for (contact, at) in [(0, 10.0), (1, 16.0)] {
+        harness.hover_at(pos2(node(at) + 3.0, stems.center().y));
+        harness.run();
+        assert_eq!(harness.state().link.hovered, Hovered::Contact(contact));
+    }
+    harness.hover_at(pos2(node(4.0), stems.center().y));
+    harness.run();
+    assert_eq!(harness.state().link.hovered, Hovered::Node(4));
+    let bends = frame(&harness, "Bends and shears by segment");
+    let segment = across(bends, 7.2, (0.5, 18.5), 0.01);
+    harness.hover_at(pos2(segment, bends.center().y));
+    harness.run();
+    assert_eq!(harness.state().link.hovered, Hovered::Node(7));
+    harness.remove_cursor();
+    harness.run();
+    assert_eq!(harness.state().link.hovered, Hovered::Nothing);
+}
+
+#[test]
+fn the_window_of_the_fits_is_dragged_by_its_edges() {
+    let bench = Bench::new(scene(FREE), 0.010, &[Plot::Tip]);
+    let mut harness = harness_of(bench, SIZE, Theme::Light);
+    for name in [
+        "Displacement of the tip over the pull",
+        "Slope of the tip over the pull",
+    ] {
+        let plot = frame(&harness, name);
+        let at = |pull_mm: f64| pos2(across(plot, pull_mm, (0.0, 10.0), 0.05), plot.center().y);
+        let window = harness.state().link.window;
+        drag(
+            &mut harness,
+            at(1e3 * window.last) + vec2(2.0, 0.0),
+            at(8.0),
+        );
+        drag(&mut harness, at(1e3 * window.first), at(1.5));
+        let window = harness.state().link.window;
+        // To a pixel: 10 mm are about 450 of them.
+        assert!((window.last - 8e-3).abs() < 5e-5, "{window:?}");
+        assert!((window.first - 1.5e-3).abs() < 5e-5, "{window:?}");
+        // An edge does not go past the other.
+        drag(&mut harness, at(1.5), at(9.5));
+        let window = harness.state().link.window;
+        assert!(window.first < window.last && window.first > 7e-3);
+        drag(
+            &mut harness,
+            at(1e3 * window.first) - vec2(4.0, 0.0),
+            at(0.5),
+        );
+        assert_eq!(harness.state().pulls, [0.0; 0]);
+    }
+}
+
+#[test]
+fn the_pull_is_set_by_a_click_and_by_a_drag() {
+    let bench = Bench::new(scene(TWO_DISCS), 0.008, &[Plot::Energy]);
+    let mut harness = harness_of(bench, SIZE, Theme::Light);
+    let plot = frame(&harness, "Energy over the pull");
+    let at = |pull_mm: f64| {
+        pos2(
+            across(plot, pull_mm, (0.0, 8.0), 0.03),
+            plot.bottom() - 20.0,
+        )
+    };
+    click(&mut harness, at(2.0));
+    let pull = *harness.state().pulls.last().unwrap();
+    assert!((pull - 2e-3).abs() < 3e-5, "{pull}");
+    drag(&mut harness, at(1e3 * pull), at(3.0));
+    let pull = *harness.state().pulls.last().unwrap();
+    assert!((pull - 3e-3).abs() < 3e-5, "{pull}");
+    // Never beyond the path.
+    drag(
+        &mut harness,
+        at(3.0),
+        pos2(plot.right() - 1.0, plot.center().y),
+    );
+    assert_eq!(*harness.state().pulls.last().unwrap(), 8e-3);
+    // A mark is met exactly.
+    let path = harness.state().path.clone().unwrap();
+    let made = path.events[0].pull;
+    click(&mut harness, at(1e3 * made) + vec2(2.0, 0.0));
+    assert_eq!(*harness.state().pulls.last().unwrap(), made);
+    // The pull under the pointer is told to all; an edge of the window is not
+    // one.
+    harness.state_mut().shown = vec![Plot::Tip];
+    harness.run();
+    let plot = frame(&harness, "Slope of the tip over the pull");
+    for (pull_mm, expected) in [(3.0, true), (4.0, false)] {
+        let x = across(plot, pull_mm, (0.0, 8.0), 0.05);
+        harness.hover_at(pos2(x, plot.center().y));
+        harness.run();
+        let hovered = harness.state().link.hovered;
+        assert_eq!(matches!(hovered, Hovered::Pull(_)), expected, "{hovered:?}");
+    }
+}
+
+#[test]
+fn a_click_on_a_reading_makes_it_fix_the_friction() {
+    let mut scene = load_cell();
+    scene.robot.bending_stiffness_nmm2 = None;
+    let bench = Bench::new(scene, 0.010, &[Plot::Force]);
+    let mut harness = harness_of(bench, SIZE, Theme::Light);
+    let plot = frame(&harness, "Force against load");
+    // The axis goes to 1.2 of the greatest load, 350 g, and the line through
+    // the fourth reading to its force there.
+    let readings = harness.state().scene.measured.clone().unwrap().forces;
+    let top = 1.05 * 1.2 * 350.0 * readings[3].force_g / readings[3].load_g;
+    let reading = readings[6];
+    let x = across(plot, reading.load_g, (0.0, 420.0), 0.02);
+    let up = (reading.force_g + 0.04 * top) / (1.08 * top);
+    let y = plot.bottom() - up as f32 * plot.height();
+    click(&mut harness, pos2(x, y));
+    assert_eq!(harness.state().calibrated, Some(6));
+}
+
+#[test]
+fn without_forces_the_ways_to_them_are_offered() {
+    let bench = Bench::new(scene(TWO_DISCS), 0.008, &[Plot::Force]);
+    let mut harness = harness_of(bench, SIZE, Theme::Light);
+    harness.get_by_label("Set the stiffness").click();
+    harness.run();
+    harness.get_by_label("Add a reading").click();
+    harness.run();
+    let asked = [PlotAction::AskStiffness, PlotAction::AskReading];
+    assert_eq!(harness.state().actions, asked);
+}
+
+#[test]
+fn the_menu_saves_files() {
+    for plot in Plot::ALL {
+        let bench = Bench::new(load_cell(), 0.008, &[plot]);
+        let expected = plots::csv(plot, &bench.data());
+        let mut harness = harness_of(bench, SIZE, Theme::Light);
+        let name = format!("Save the plot of {}", plot.title().to_lowercase());
+        for item in ["Export CSV", "Export SVG"] {
+            harness.get_by_label(&name).click();
+            harness.run();
+            harness.get_by_label(item).click();
+            harness.run();
+        }
+        let [
+            PlotAction::Save { bytes: csv, .. },
+            PlotAction::Save {
+                bytes: svg,
+                extension,
+                name,
+            },
+        ] = harness.state().actions.as_slice()
+        else {
+            panic!("{:?}", harness.state().actions.len());
+        };
+        assert_eq!(String::from_utf8(csv.clone()).unwrap(), expected);
+        assert_eq!((name.as_str(), *extension), (plot.word(), "svg"));
+        let svg = String::from_utf8(svg.clone()).unwrap();
+        std::fs::write(format!("/tmp/path-pictures/{}.svg", plot.word()), &svg).unwrap();
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let drawn = document.descendants().filter(|node| node.is_element());
+        assert!(drawn.count() > 20, "{plot:?}");
+    }
+}
+
+/// The columns of a table, by name.
+fn column(table: &str, name: &str) -> Vec<String> {
+    let mut rows = csv::Reader::from_reader(table.as_bytes());
+    let index = rows.headers().unwrap().iter().position(|n| n == name);
+    let index = index.unwrap_or_else(|| panic!("{name}"));
+    rows.records()
+        .map(|row| row.unwrap()[index].to_owned())
+        .collect()
+}
+
+fn numbers(table: &str, name: &str) -> Vec<f64> {
+    let cells = column(table, name);
+    cells.iter().map(|cell| cell.parse().unwrap()).collect()
+}
+
+#[test]
+fn tables_hold_the_numbers_themselves() {
+    let bench = Bench::new(load_cell(), 0.010, &[]);
+    let (data, solution) = (bench.data(), &bench.solution);
+    let table = plots::csv(Plot::Multipliers, &data);
+    let pressing = solution.contacts.iter();
+    let expected: Vec<f64> = pressing.map(|c| 1e-3 * c.multiplier).collect();
+    assert_eq!(solution.contacts[0].class, Class::Pressing);
+    assert_eq!(numbers(&table, "multiplier_rad2_per_mm"), expected);
+    assert_eq!(column(&table, "node"), ["14"]);
+    assert_eq!(column(&table, "obstacle"), ["load cell"]);
+
+    let table = plots::csv(Plot::Bends, &data);
+    let degrees = |angles: &[f64]| angles.iter().map(|a| a.to_degrees()).collect::<Vec<_>>();
+    assert_eq!(numbers(&table, "bend_deg"), degrees(&solution.bends));
+    assert_eq!(numbers(&table, "shear_deg"), degrees(&solution.shears));
+
+    let path = bench.path.as_ref().unwrap();
+    let table = plots::csv(Plot::Tip, &data);
+    let expected: Vec<f64> = rows(path).map(|row| row[2]).collect();
+    assert_eq!(numbers(&table, "tip_x_mm"), expected);
+
+    let table = plots::csv(Plot::Energy, &data);
+    let energies = column(&table, "energy_rad2");
+    let energies: Vec<f64> = energies.iter().filter_map(|e| e.parse().ok()).collect();
+    let expected: Vec<f64> = path.states.iter().map(|state| state.energy).collect();
+    assert_eq!(energies, expected);
+    let events = column(&table, "event");
+    assert!(
+        events
+            .iter()
+            .any(|event| event.contains("begins to press on load cell"))
+    );
+
+    // Virtual work goes through the reading that fixes it.
+    let table = plots::csv(Plot::Force, &data);
+    let sources = column(&table, "source");
+    let forces = numbers(&table, "force_g");
+    let of = |source: &str| -> Vec<f64> {
+        let pairs = sources.iter().zip(&forces);
+        pairs
+            .filter(|(s, _)| *s == source)
+            .map(|(_, f)| *f)
+            .collect()
+    };
+    let (read, estimated) = (of("measured"), of("virtual work"));
+    assert_eq!(read.len(), 7);
+    assert!((read[3] - estimated[3]).abs() < 1e-9);
+    for (load, force) in numbers(&table, "load_g").iter().zip(&estimated) {
+        assert!((force / load - read[3] / 200.0).abs() < 1e-12);
+    }
+    // The newest of the states by multipliers: F of eq. 5 with EI.
+    let per_bend = 40_000e-6 / (2.0 * 0.010);
+    let here = path
+        .states
+        .iter()
+        .position(|s| s.pull == solution.pull)
+        .unwrap();
+    let from = path
+        .states
+        .iter()
+        .position(|s| !s.contacts.is_empty())
+        .unwrap();
+    let force = per_bend * solution.contacts[0].multiplier / 9.80665e-3;
+    // Two rows a state: of all obstacles, and of the one.
+    let found = of("multipliers")[2 * (here - from)];
+    assert!((found - force).abs() < 1e-6 * force, "{found} {force}");
 }

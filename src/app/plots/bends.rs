@@ -1,15 +1,16 @@
 //! Bends and shears by segment: where the robot gives, and how it differs from
 //! the free robot's arc.
 
-use super::pane::{Quantities, Surface, Text, Whole, canvas, empty, header, hue, named, ordinate};
+use super::pane::{
+    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
+};
 use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::state::Hovered;
 use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::units::degrees;
 use crate::view::Quantity;
-use eframe::egui::{Align2, Rect, Stroke, Ui, vec2};
-use egui_plot::Line;
+use eframe::egui::{Align2, Rect, Ui, vec2};
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -37,7 +38,7 @@ pub(super) fn show(
         unit: "°",
     };
     let name = ordinate(&angle, &tokens);
-    let action = header(ui, Plot::Bends, data, cache, name, reading);
+    let action = header(ui, Plot::Bends, data, cache, name, reading, |_| {});
     if segments == 0 {
         empty(ui, "The first shape is being solved.", |_| {});
         return action;
@@ -56,13 +57,12 @@ pub(super) fn show(
     let series = [("bend", &shape.bends, 0), ("shear", &shape.shears, 1)];
     let shown = plot.show(ui, |plot| {
         for (name, points, index) in series {
-            let line = Line::new(name, points.as_slice());
-            plot.line(line.stroke(Stroke::new(2.0, hue(theme, index))));
+            plot.line(curve(name, points, hue(theme, index)));
         }
     });
     named(&shown.response, "Bends and shears by segment");
     let painter = ui.painter().with_clip_rect(*shown.transform.frame());
-    let surface = Surface::of(&painter, &shown.response, shown.transform);
+    let surface = Surface::of(&painter, &shown.response, shown.transform, &tokens);
     let frame = surface.frame();
     surface.zero(&tokens);
     let level = surface.y(shape.free_bend);
@@ -123,7 +123,7 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
 
 pub(super) fn charts(cache: &PlotCache) -> Vec<Chart> {
     let shape = &cache.shape;
-    let curve = |points: &[egui_plot::PlotPoint]| points.iter().map(|p| (p.x, p.y)).collect();
+    let corners = |points: &[egui_plot::PlotPoint]| points.iter().map(|p| (p.x, p.y)).collect();
     let last = shape.bends.last().map_or(1.0, |point| point.x);
     let free = vec![(0.5, shape.free_bend), (last, shape.free_bend)];
     vec![Chart {
@@ -132,9 +132,9 @@ pub(super) fn charts(cache: &PlotCache) -> Vec<Chart> {
         x: Axis::new("segment, from the base", ""),
         y: Axis::new("angle, clockwise", "deg"),
         series: vec![
-            Series::new("bend", Mark::Line, curve(&shape.bends)),
+            Series::new("bend", Mark::Line, corners(&shape.bends)),
             Series::new("free robot's bend", Mark::Dashed, free),
-            Series::new("shear", Mark::Line, curve(&shape.shears)),
+            Series::new("shear", Mark::Line, corners(&shape.shears)),
         ],
     }]
 }

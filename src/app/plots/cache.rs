@@ -75,6 +75,14 @@ pub(super) struct Stem {
     pub multiplier: f64,
     /// As a share of the greatest.
     pub share: f64,
+    pub twin: Twin,
+}
+
+/// Whether there is another stem at the same node.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Twin {
+    None,
+    OtherSide,
 }
 
 /// The path, by smooth pieces.
@@ -82,8 +90,6 @@ pub(super) struct Stem {
 pub(super) struct Course {
     pub pieces: Vec<Piece>,
     pub marks: Vec<Mark>,
-    /// The pulls that have states, in mm.
-    pub range: Option<(f64, f64)>,
 }
 
 /// A smooth piece of the path over the pull, in mm.
@@ -187,7 +193,15 @@ impl Shape {
                 } else {
                     0.0
                 },
+                twin: Twin::None,
             });
+        }
+        for index in 0..self.stems.len() {
+            let Stem { at, side, .. } = self.stems[index];
+            let mut others = self.stems.iter();
+            if others.any(|other| other.at == at && other.side != side) {
+                self.stems[index].twin = Twin::OtherSide;
+            }
         }
         steps(&mut self.bends, &solution.bends);
         steps(&mut self.shears, &solution.shears);
@@ -225,9 +239,6 @@ impl Course {
         Self {
             pieces: pieces.collect(),
             marks: marks::of(path, data),
-            range: path
-                .range()
-                .map(|(first, last)| (millimetres(first), millimetres(last))),
         }
     }
 }

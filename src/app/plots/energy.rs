@@ -1,9 +1,9 @@
 //! The energy over the pull, with what happens on the way: contacts made and
 //! lost, jumps, ends.
 
-use super::over_pull::{Edges, cursors, read_at};
+use super::over_pull::{Cursor, Edges, Knob, read_at};
 use super::pane::{
-    Quantities, Surface, Text, Whole, canvas, empty, header, hue, named, ordinate, value_at,
+    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate, value_at,
 };
 use super::{Link, Plot, PlotAction, PlotCache, PlotData, marks};
 use crate::app::look::{Tokens, theme_of};
@@ -12,8 +12,7 @@ use crate::app::words;
 use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::units::{millimetres, per_millimetre};
 use crate::view::Quantity;
-use eframe::egui::{Stroke, Ui, vec2};
-use egui_plot::Line;
+use eframe::egui::{Ui, vec2};
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -38,7 +37,7 @@ pub(super) fn show(
         unit: "rad²",
     };
     let name = ordinate(&energy, &tokens);
-    let action = header(ui, Plot::Energy, data, cache, name, reading);
+    let action = header(ui, Plot::Energy, data, cache, name, reading, |_| {});
     if pieces.is_empty() {
         empty(ui, "The robot is being followed along its pull.", |_| {});
         return action;
@@ -59,33 +58,43 @@ pub(super) fn show(
         .include_y(headroom);
     let shown = plot.show(ui, |plot| {
         for piece in pieces {
-            let line = Line::new("J", piece.energy.as_slice());
-            plot.line(line.stroke(Stroke::new(2.0, hue(theme, 0))));
+            plot.line(curve("J", &piece.energy, hue(theme, 0)));
         }
     });
     named(&shown.response, "Energy over the pull");
     let painter = ui
         .painter()
         .with_clip_rect(shown.transform.frame().expand2(vec2(0.0, 6.0)));
-    let surface = Surface::of(&painter, &shown.response, shown.transform);
+    let surface = Surface::of(&painter, &shown.response, shown.transform, &tokens);
     surface.zero(&tokens);
+    for pair in pieces.windows(2) {
+        surface.jump(pair[0].energy.last(), pair[1].energy.first(), hue(theme, 0));
+    }
+    let cursor = Cursor {
+        edges: Edges::Hidden,
+        knob: Knob::Shown,
+    };
+    cursor.show(ui, &surface, &shown.response, data, link);
+    // Over the cursor, so that their names can be read.
     let mark = marks::draw(&surface, &cache.course.marks, &tokens);
-    cursors(ui, &surface, &shown.response, data, link, Edges::Hidden);
     if let Some(here) = pieces
         .iter()
         .filter_map(|piece| value_at(&piece.energy, millimetres(data.solution.pull)))
         .last()
     {
         let at = surface.at(millimetres(data.solution.pull), here);
-        painter.circle_filled(at, 4.0, tokens.panel);
-        painter.circle_filled(at, 3.0, hue(theme, 0));
+        surface.dot(at, hue(theme, 0), &tokens);
     }
     if let Some(mark) = mark {
         link.hovering = Hovered::Pull(mark.at);
         if shown.response.clicked() {
             link.pull = Some(mark.at);
         }
-        shown.response.on_hover_text_at_pointer(&mark.long);
+        // Everything that happened there at once.
+        let together = cache.course.marks.iter();
+        let together = together.filter(|other| marks::same(&surface, mark, other));
+        let lines: Vec<&str> = together.map(|mark| mark.long.as_str()).collect();
+        shown.response.on_hover_text_at_pointer(lines.join("\n"));
     }
     action
 }

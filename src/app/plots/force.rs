@@ -2,7 +2,7 @@
 //! is known, by virtual work where a reading fixes μ, and what was read.
 
 use super::pane::{
-    Quantities, Surface, Text, Whole, canvas, empty, header, hue, named, ordinate, value_at,
+    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate, value_at,
 };
 use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
@@ -14,7 +14,7 @@ use crate::explore::LoadPoint;
 use crate::scene::ForceReading;
 use crate::units::{grams, millimetres, newtons};
 use crate::view::Quantity;
-use eframe::egui::{Align2, CursorIcon, Response, RichText, Stroke, Ui, pos2, vec2};
+use eframe::egui::{Align2, CursorIcon, Response, RichText, Sense, Stroke, Ui, pos2, vec2};
 use egui_plot::{Line, PlotPoint};
 
 /// How near the pointer has to be to a reading.
@@ -66,19 +66,17 @@ pub(super) fn show(
             .value("force", &Quantity::fixed(force, 1, "g"), &tokens);
     }
     let name = ordinate(&force, &tokens);
-    let mut action = header(ui, Plot::Force, data, cache, name, reading);
+    let mut action = header(ui, Plot::Force, data, cache, name, reading, |_| {});
     if let Some(asked) = nothing(ui, data, cache) {
         return asked.or(action);
-    }
-    if let Some(first) = cache.forces.caveats.first() {
-        caveats(ui, first, cache, &tokens);
     }
     let shown = curves(ui, data, cache);
     let (response, transform) = (shown.response, shown.transform);
     named(&response, "Force against load");
     let painter = ui.painter().with_clip_rect(*transform.frame());
-    let surface = Surface::of(&painter, &response, transform);
+    let surface = Surface::of(&painter, &response, transform, &tokens);
     surface.zero(&tokens);
+    caveats(ui, &surface, cache, &tokens);
     names(ui, &surface, data, cache);
     for point in [
         here,
@@ -134,7 +132,7 @@ fn nothing(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> Option<Option
     let forces = &cache.forces;
     let mut asked = None;
     if data.stiffness().is_none() && data.readings().is_empty() {
-        let sentence = "Forces in grams need the backbone's stiffness or a force that was read.";
+        let sentence = "Forces in grams need the backbone's stiffness or a measured force.";
         empty(ui, sentence, |ui| {
             if ui.button("Set the stiffness").clicked() {
                 asked = Some(PlotAction::AskStiffness);
@@ -158,18 +156,30 @@ fn nothing(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> Option<Option
     None
 }
 
-/// One line on what is outside the estimate's assumptions; the rest on hover.
-fn caveats(ui: &mut Ui, first: &str, cache: &PlotCache, tokens: &Tokens) {
-    let more = cache.forces.caveats.len() - 1;
-    let text = match more {
-        0 => first.to_owned(),
-        _ => format!("{first} And {more} more."),
+/// How many of the estimate's assumptions do not hold; which, on hover.
+fn caveats(ui: &mut Ui, surface: &Surface<'_>, cache: &PlotCache, tokens: &Tokens) {
+    let caveats = &cache.forces.caveats;
+    let text = match (caveats.len(), &cache.forces.work) {
+        (0, _) => return,
+        (_, Some(Err(_))) => "no estimate by virtual work".to_owned(),
+        (1, _) => "an assumption of virtual work does not hold".to_owned(),
+        (count, _) => format!("{count} assumptions of virtual work do not hold"),
     };
-    let label = eframe::egui::Label::new(RichText::new(text).size(12.0).color(tokens.warning));
-    let response = ui.add(label.truncate());
-    if more > 0 {
-        response.on_hover_text(cache.forces.caveats.join("\n"));
-    }
+    let corner = surface.frame().left_top() + vec2(8.0, 4.0);
+    let text = Text::of(&text, tokens.warning);
+    let area = surface.name(corner, Align2::LEFT_TOP, text);
+    let id = ui.scope_id().with("caveats");
+    let response = ui.interact(area, id, Sense::hover());
+    named(&response, "Assumptions of virtual work");
+    response.on_hover_text(caveats.join("\n"));
+}
+
+/// The greatest load that is shown: the readings' and the present one, unless
+/// that is far away.
+fn widest(data: &PlotData<'_>, cache: &PlotCache) -> f64 {
+    let here = present(data, cache).map_or(0.0, |point| 1.1 * point.x);
+    let widest = cache.forces.widest;
+    widest.max(here.min(2.0 * widest)).max(1e-6)
 }
 
 fn curves(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> egui_plot::PlotResponse<()> {
@@ -179,8 +189,7 @@ fn curves(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> egui_plot::Plo
         name: "Load on the cable, from contact on",
         unit: "g",
     };
-    let here = present(data, cache).map_or(0.0, |point| point.x);
-    let widest = forces.widest.max(1.1 * here).max(1e-6);
+    let widest = widest(data, cache);
     let mut highest = data
         .readings()
         .iter()
@@ -205,12 +214,11 @@ fn curves(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> egui_plot::Plo
         for piece in &forces.total {
             // A branch that stiffens without bound must not set the scale.
             let seen = piece.partition_point(|point| point.x <= widest);
-            let line = Line::new("multipliers", &piece[..seen]);
-            plot.line(line.stroke(Stroke::new(2.0, hue(theme, 0))));
+            plot.line(curve("multipliers", &piece[..seen], hue(theme, 0)));
         }
         if let Some(force) = work {
             let ends = vec![[0.0, 0.0], [widest, force]];
-            let line = Line::new("virtual work", ends);
+            let line = Line::new("virtual work", ends).allow_hover(false);
             plot.line(line.stroke(Stroke::new(2.0, hue(theme, 1))));
         }
     })
@@ -221,12 +229,15 @@ fn names(ui: &Ui, surface: &Surface<'_>, data: &PlotData<'_>, cache: &PlotCache)
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
     let right = surface.transform.bounds().max()[0];
     let mut taken = None;
-    if let (Some(Ok(work)), Some(force)) = (&cache.forces.work, by_work(cache, right)) {
+    if let Some(Ok(work)) = &cache.forces.work
+        && let Some(force) = by_work(cache, 0.62 * right)
+    {
+        // Below the line, where nothing of it is.
         let ink = hue(theme, 1);
         let friction = Quantity::fixed(work.friction(), 3, "").digits;
         let text = Text::of("virtual work", ink).and(&format!("  μ = {friction}"), tokens.muted);
-        let at = surface.at(right, force) + vec2(-6.0, 6.0);
-        taken = Some(surface.name(at, Align2::RIGHT_TOP, text));
+        let at = surface.at(0.62 * right, force) + vec2(10.0, 8.0);
+        taken = Some(surface.name(at, Align2::LEFT_TOP, text));
     }
     let totals = cache.forces.total.iter();
     let value = totals
@@ -240,9 +251,9 @@ fn names(ui: &Ui, surface: &Surface<'_>, data: &PlotData<'_>, cache: &PlotCache)
         let text = Text::of("multipliers", hue(theme, 0));
         let mut at = surface.at(x, y) + vec2(-6.0, -6.0);
         if let Some(other) = taken
-            && other.expand(8.0).contains(at)
+            && (other.top() - 4.0..other.bottom() + 16.0).contains(&at.y)
         {
-            at.y = other.top() - 4.0;
+            at.y = other.bottom() + 18.0;
         }
         surface.name(at, Align2::RIGHT_BOTTOM, text);
     }
@@ -251,7 +262,7 @@ fn names(ui: &Ui, surface: &Surface<'_>, data: &PlotData<'_>, cache: &PlotCache)
         && curve.obstacles.len() > 1
         && let Some(point) = twin_or_here(data, cache)
     {
-        let mut corner = surface.frame().left_top() + vec2(8.0, 6.0);
+        let mut corner = surface.frame().left_top() + vec2(8.0, 22.0);
         for (index, force) in curve.obstacles.iter().zip(&point.by_obstacle) {
             let name = words::obstacle_of(data.scene, *index);
             let shown = Quantity::fixed(grams(*force), 1, "g");

@@ -5,7 +5,7 @@ use super::PlotData;
 use super::pane::{SMALL, Surface};
 use crate::app::look::{Tokens, icon_font, icons};
 use crate::app::words;
-use crate::equilibrium::Occurrence;
+use crate::equilibrium::{Occurrence, Status};
 use crate::explore::Path;
 use crate::units::millimetres;
 use crate::view::Quantity;
@@ -87,8 +87,8 @@ pub(super) fn of(path: &Path, data: &PlotData<'_>) -> Vec<Mark> {
     let mut marks: Vec<Mark> = events.collect();
     // Ends for other reasons are noted as the path's end only.
     for end in [&path.start, &path.end].into_iter().flatten() {
-        let known = |mark: &Mark| mark.kind == Kind::End && mark.at == end.pull;
-        if !marks.iter().any(known) {
+        let noted = matches!(end.status, Status::BranchEnded { .. });
+        if !noted || !marks.iter().any(|mark| mark.kind == Kind::End) {
             let pull = Quantity::fixed(millimetres(end.pull), 2, "mm").text();
             marks.push(Mark {
                 pull: millimetres(end.pull),
@@ -175,10 +175,27 @@ pub(super) fn draw<'a>(
         let strength = if chosen { 1.0 } else { 0.45 };
         let stroke = Stroke::new(1.0, mark.kind.ink(tokens).gamma_multiply(strength));
         painter.vline(x, lane..=frame.bottom(), stroke);
-        mark.kind.glyph(painter, pos2(x, lane), tokens);
+        if !outshone(surface, mark, marks) {
+            mark.kind.glyph(painter, pos2(x, lane), tokens);
+        }
     }
     names(surface, marks, hovered, tokens);
     hovered
+}
+
+/// Whether a mark is that of a contact which a jump makes or ends: the jump
+/// tells of it.
+fn outshone(surface: &Surface<'_>, mark: &Mark, marks: &[Mark]) -> bool {
+    let telling = |mark: &Mark| matches!(mark.kind, Kind::Jump | Kind::End);
+    !telling(mark)
+        && marks
+            .iter()
+            .any(|other| telling(other) && same(surface, mark, other))
+}
+
+/// Whether two marks are one on the screen.
+pub(super) fn same(surface: &Surface<'_>, a: &Mark, b: &Mark) -> bool {
+    (surface.x(a.pull) - surface.x(b.pull)).abs() < 1.0
 }
 
 /// Names from the most telling on: a jump or an end comes before contacts, and
@@ -188,6 +205,7 @@ fn names(surface: &Surface<'_>, marks: &[Mark], hovered: Option<&Mark>, tokens: 
     let mut order: Vec<&Mark> = marks
         .iter()
         .filter(|mark| frame.x_range().contains(surface.x(mark.pull)))
+        .filter(|mark| !outshone(surface, mark, marks))
         .collect();
     order.sort_by_key(|mark| {
         let chosen = hovered.is_some_and(|other| std::ptr::eq(other, *mark));
@@ -219,6 +237,7 @@ fn names(surface: &Surface<'_>, marks: &[Mark], hovered: Option<&Mark>, tokens: 
             free.then_some(area)
         });
         if let Some(area) = place {
+            surface.clear(area);
             surface.painter.galley(area.min, galley, ink);
             taken.push(area);
         }

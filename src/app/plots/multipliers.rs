@@ -1,7 +1,7 @@
 //! Multipliers by node, the paper's Fig. 5: which parts of the robot press, and
 //! how hard.
 
-use super::cache::{Side, Stem};
+use super::cache::{Side, Stem, Twin};
 use super::pane::{Quantities, Surface, Text, Whole, canvas, header, heat, named, ordinate};
 use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
@@ -12,7 +12,7 @@ use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::forces::part_name;
 use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::{Quantity, Theme};
-use eframe::egui::{Align2, Color32, FontId, Rect, Stroke, Ui, pos2, vec2};
+use eframe::egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
 
 /// How near the pointer has to be to a stem.
 const NEAR: f32 = 16.0;
@@ -49,14 +49,14 @@ fn superscript(digit: char) -> char {
     }
 }
 
-/// The least of 1, 2, 3, 5 and 8 times a power of ten that a value fits under,
+/// The least of 1, 1.5, 2, 3, 5 and 8 times a power of ten that a value fits under,
 /// so that stems grow with the pull and the axis changes now and then only.
 fn ceiling(value: f64) -> f64 {
     if value <= 0.0 {
         return 1.0;
     }
     let power = 10f64.powf(value.log10().floor());
-    let steps = [1.0, 2.0, 3.0, 5.0, 8.0].map(|step| step * power);
+    let steps = [1.0, 1.5, 2.0, 3.0, 5.0, 8.0].map(|step| step * power);
     let fits = steps.into_iter().find(|step| FULL * step >= value);
     fits.unwrap_or(10.0 * power / FULL)
 }
@@ -76,7 +76,7 @@ pub(super) fn show(
     };
     let reading = reading(data, link, &tokens);
     let name = ordinate(&multiplier, &tokens);
-    let action = header(ui, Plot::Multipliers, data, cache, name, reading);
+    let action = header(ui, Plot::Multipliers, data, cache, name, reading, |_| {});
     let abscissa = Quantities {
         name: "Node, from 0 at the base",
         unit: "",
@@ -85,15 +85,17 @@ pub(super) fn show(
     let top = ceiling(factor * shape.greatest);
     let height = ui.available_height();
     let plot = canvas("multipliers", height, &abscissa, &tokens, Whole::Yes)
-        .set_margin_fraction(vec2(0.02, 0.0))
+        .set_margin_fraction(vec2(0.025, 0.0))
         .include_x(0.0)
         .include_x(segments)
         .include_y(-0.04 * top)
         .include_y(top);
     let shown = plot.show(ui, |_| {});
     named(&shown.response, "Multipliers by node");
-    let painter = ui.painter().with_clip_rect(*shown.transform.frame());
-    let surface = Surface::of(&painter, &shown.response, shown.transform);
+    let painter = ui
+        .painter()
+        .with_clip_rect(shown.transform.frame().expand(8.0));
+    let surface = Surface::of(&painter, &shown.response, shown.transform, &tokens);
     nodes(&surface, data, link, &tokens);
     if shape.greatest <= 0.0 {
         let ink = tokens.muted;
@@ -114,7 +116,7 @@ pub(super) fn show(
     values(&surface, &shape.stems, factor, &tokens);
     if let Some(pointer) = surface.pointer {
         let distance = |stem: &&Stem| {
-            let head = surface.at(stem.at, factor * stem.multiplier);
+            let head = head(&surface, stem, factor);
             (head.x - pointer.x).abs() + 0.2 * (head.y - pointer.y).abs()
         };
         let stems = shape.stems.iter();
@@ -201,6 +203,17 @@ fn nodes(surface: &Surface<'_>, data: &PlotData<'_>, link: &Link, tokens: &Token
     }
 }
 
+/// Where a stem ends on the screen: a little aside of its node where the other
+/// side presses as well.
+fn head(surface: &Surface<'_>, stem: &Stem, factor: f64) -> Pos2 {
+    let aside = match (stem.twin, stem.side) {
+        (Twin::None, _) => 0.0,
+        (Twin::OtherSide, Side::Cable) => 3.5,
+        (Twin::OtherSide, Side::Backbone) => -3.5,
+    };
+    surface.at(stem.at, factor * stem.multiplier) + vec2(aside, 0.0)
+}
+
 /// A stem with its head: full on the cable's side, open on the backbone's.
 fn draw(
     surface: &Surface<'_>,
@@ -210,8 +223,8 @@ fn draw(
     theme: Theme,
     tokens: &Tokens,
 ) {
-    let head = surface.at(stem.at, factor * stem.multiplier);
-    let foot = surface.at(stem.at, 0.0);
+    let head = head(surface, stem, factor);
+    let foot = pos2(head.x, surface.y(0.0));
     if stem.multiplier <= 0.0 {
         let ring = Stroke::new(1.0, tokens.muted);
         surface.painter.circle_stroke(foot, 4.5, ring);
@@ -254,7 +267,7 @@ fn values(surface: &Surface<'_>, stems: &[Stem], factor: f64, tokens: &Tokens) {
     order.truncate(6);
     let mut taken: Vec<Rect> = Vec::new();
     for stem in order {
-        let head = surface.at(stem.at, factor * stem.multiplier);
+        let head = head(surface, stem, factor);
         let side = match stem.side {
             Side::Cable => "cable",
             Side::Backbone => "backbone",

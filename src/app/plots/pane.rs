@@ -9,7 +9,7 @@ use eframe::egui::{
     Align, Align2, Color32, FontFamily, FontId, Layout, Painter, Popup, Pos2, Rangef, Rect,
     Response, RichText, Shape, Stroke, TextFormat, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
-use egui_plot::{AxisHints, GridInput, GridMark, PlotPoint, PlotTransform};
+use egui_plot::{AxisHints, GridInput, GridMark, Line, PlotPoint, PlotTransform};
 
 /// The size of all text on plots.
 pub(super) const SMALL: f32 = 12.0;
@@ -68,7 +68,7 @@ impl Text {
 
     /// A name in a muted voice, then a number, then its unit, muted.
     pub fn value(self, name: &str, value: &Quantity, tokens: &Tokens) -> Self {
-        let apart = if self.job.is_empty() { "" } else { "   " };
+        let apart = if self.job.is_empty() { "" } else { "  " };
         let unit = match value.unit {
             "" | "°" => value.unit.to_owned(),
             unit => format!(" {unit}"),
@@ -76,6 +76,14 @@ impl Text {
         self.and(&format!("{apart}{name} "), tokens.muted)
             .and(&value.digits, tokens.text)
             .and(&unit, tokens.muted)
+    }
+
+    /// The text cut to a width, with an ellipsis where something is missing.
+    pub fn within(self, width: f32) -> LayoutJob {
+        let mut job = self.job();
+        job.wrap.max_width = width.max(0.0);
+        job.wrap.break_anywhere = true;
+        job
     }
 
     pub fn job(mut self) -> LayoutJob {
@@ -93,6 +101,7 @@ pub(super) fn header(
     cache: &PlotCache,
     ordinate: Text,
     reading: Text,
+    more: impl FnOnce(&mut Ui),
 ) -> Option<PlotAction> {
     let mut action = None;
     let size = vec2(ui.available_width(), HEADER);
@@ -109,19 +118,17 @@ pub(super) fn header(
                 let text = export::svg_from(plot, data, cache);
                 action = text.ok().map(|text| saved(plot, "svg", text));
             }
+            more(ui);
         });
         // The read-out gives way where there is no room for both.
         let ordinate = ui.painter().layout_job(ordinate.job());
-        let reading = ui.painter().layout_job(reading.job());
         let rect = ui.available_rect_before_wrap();
+        let room = rect.width() - ordinate.size().x - 16.0;
+        let reading = ui.painter().layout_job(reading.within(room));
         let y = |height: f32| rect.center().y - 0.5 * height;
         let ink = ui.visuals().text_color();
-        let name_end = rect.left() + ordinate.size().x;
-        let read_from = rect.right() - 4.0 - reading.size().x;
-        if read_from > name_end + 8.0 {
-            let at = pos2(read_from, y(reading.size().y));
-            ui.painter().galley(at, reading, ink);
-        }
+        let at = pos2(rect.right() - 4.0 - reading.size().x, y(reading.size().y));
+        ui.painter().galley(at, reading, ink);
         let at = pos2(rect.left() + 4.0, y(ordinate.size().y));
         ui.painter().galley(at, ordinate, ink);
     });
@@ -199,6 +206,13 @@ pub(super) fn canvas<'a>(
         .allow_double_click_reset(true)
 }
 
+/// A curve of a series through points that are kept.
+pub(super) fn curve<'a>(name: &str, points: &'a [PlotPoint], ink: Color32) -> Line<'a> {
+    let line = Line::new(name, points).stroke(Stroke::new(2.0, ink));
+    // Points of one column of pixels are not to be drawn as a band.
+    line.allow_hover(false).allow_band(false)
+}
+
 /// Whether an axis counts.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Whole {
@@ -247,11 +261,19 @@ pub(super) struct Surface<'a> {
     pub transform: PlotTransform,
     /// The pointer, while it is on the plot.
     pub pointer: Option<Pos2>,
+    /// What is behind the plot.
+    paper: Color32,
 }
 
 impl<'a> Surface<'a> {
-    pub fn of(painter: &'a Painter, response: &Response, transform: PlotTransform) -> Self {
+    pub fn of(
+        painter: &'a Painter,
+        response: &Response,
+        transform: PlotTransform,
+        tokens: &Tokens,
+    ) -> Self {
         Self {
+            paper: tokens.panel,
             painter,
             transform,
             pointer: response.hover_pos().or(response.interact_pointer_pos()),
@@ -296,6 +318,28 @@ impl<'a> Surface<'a> {
             .extend(Shape::dashed_line(&ends, stroke, 5.0, 4.0));
     }
 
+    /// A jump from one piece of a curve to the next.
+    pub fn jump(&self, before: Option<&PlotPoint>, after: Option<&PlotPoint>, ink: Color32) {
+        if let (Some(a), Some(b)) = (before, after) {
+            let ends = [self.at(a.x, a.y), self.at(b.x, b.y)];
+            let dots = Shape::dotted_line(&ends, ink.gamma_multiply(0.7), 4.0, 0.9);
+            self.painter.extend(dots);
+        }
+    }
+
+    /// The place of a curve now.
+    pub fn dot(&self, at: Pos2, ink: Color32, tokens: &Tokens) {
+        self.painter.circle_filled(at, 4.5, tokens.panel);
+        self.painter.circle_filled(at, 3.25, ink);
+    }
+
+    /// Makes what is behind text step back.
+    pub fn clear(&self, area: Rect) {
+        let paper = self.paper.gamma_multiply(0.75);
+        self.painter
+            .rect_filled(area.expand2(vec2(2.0, 0.0)), 3.0, paper);
+    }
+
     /// Text beside a point of a curve, inside the frame.
     pub fn name(&self, at: Pos2, anchor: Align2, text: Text) -> Rect {
         let galley = self.painter.layout_job(text.job());
@@ -307,6 +351,7 @@ impl<'a> Surface<'a> {
             (frame.bottom() - rect.bottom()).min(0.0) + (frame.top() - rect.top()).max(0.0),
         );
         rect = rect.translate(shift);
+        self.clear(rect);
         self.painter.galley(rect.min, galley, Color32::PLACEHOLDER);
         rect
     }

@@ -1,25 +1,28 @@
 //! The tip over the pull, the paper's Fig. 7: its displacement and its slope,
 //! with the straight lines of eq. 7 in a window that a hand can move.
 
-use super::over_pull::{Edges, cursors, read_at, window_shade};
+use super::over_pull::{Cursor, Edges, Knob, read_at, window_shade};
 use super::pane::{
-    Quantities, Surface, Text, Whole, canvas, empty, header, hue, named, ordinate, value_at,
+    Quantities, SMALL, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
+    value_at,
 };
 use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::plots::cache::Piece;
 use crate::experiments::{Axis, Chart, Mark, Series};
-use crate::explore::{COLUMNS, rows};
-use crate::forces::{LineFit, Rates};
+use crate::explore::{COLUMNS, Path, rows};
+use crate::forces::{LineFit, Rates, Window};
 use crate::units::{degrees, metres, millimetres};
 use crate::view::Quantity;
-use eframe::egui::{Align2, Color32, Stroke, Ui, pos2};
-use egui_plot::{Line, PlotPoint};
+use eframe::egui::{Align2, DragValue, RichText, Sense, Ui, pos2, vec2};
+use egui_plot::PlotPoint;
 
 /// The share of the height that the displacement takes.
 const UPPER: f32 = 0.56;
-/// Room that the names of an axis take below a plot.
-const ABSCISSA: f32 = 20.0;
+/// Room that an axis takes below a plot.
+const ABSCISSA: f32 = 34.0;
+/// Height of the lower half's header.
+const MIDDLE: f32 = 20.0;
 
 /// A curve of the plot: what it is called, where its points are, its line.
 struct Curve {
@@ -87,7 +90,7 @@ pub(super) fn show(
     let tokens = Tokens::in_ui(ui);
     let curves = curves(data);
     let displacement = Quantities {
-        name: "Displacement of the tip",
+        name: "Displacement",
         unit: "mm",
     };
     let pull = read_at(data, link);
@@ -107,155 +110,171 @@ pub(super) fn show(
         }
     }
     let name = ordinate(&displacement, &tokens);
-    let action = header(ui, Plot::Tip, data, cache, name, reading);
+    let range = data.path.and_then(Path::range);
+    let action = header(ui, Plot::Tip, data, cache, name, reading, |ui| {
+        window(ui, link, range.unwrap_or(data.problem.robot().pull_range()));
+    });
     if !known {
         empty(ui, "The robot is being followed along its pull.", |_| {});
         return action;
     }
-    let room = ui.available_height() - 2.0 * ABSCISSA - 22.0;
     let nothing = Quantities { name: "", unit: "" };
     let pull_axis = Quantities {
         name: "Pull",
         unit: "mm",
     };
-    pane(
-        ui,
-        "displacement",
-        &curves[..2],
-        data,
-        cache,
-        link,
-        UPPER * room + ABSCISSA,
-        &nothing,
-    );
-    let slope = Quantities {
-        name: "Slope of the tip",
-        unit: "°, counterclockwise",
+    let room = ui.available_height() - MIDDLE - ABSCISSA;
+    let upper = Half {
+        id: "Displacement of the tip over the pull",
+        curves: &curves[..2],
+        height: UPPER * room,
+        abscissa: &nothing,
     };
-    let text = ui.painter().layout_job(ordinate(&slope, &tokens).job());
-    let (rect, _) = ui.allocate_exact_size(
-        eframe::egui::vec2(ui.available_width(), 18.0),
-        eframe::egui::Sense::hover(),
-    );
-    ui.painter()
-        .galley(rect.min + eframe::egui::vec2(4.0, 2.0), text, tokens.text);
-    let rest = ui.available_height();
-    pane(
-        ui,
-        "slope",
-        &curves[2..],
-        data,
-        cache,
-        link,
-        rest,
-        &pull_axis,
-    );
+    half(ui, &upper, data, cache, link);
+    middle(ui, &curves, cache, &tokens);
+    let lower = Half {
+        id: "Slope of the tip over the pull",
+        curves: &curves[2..],
+        height: ui.available_height(),
+        abscissa: &pull_axis,
+    };
+    half(ui, &lower, data, cache, link);
     action
 }
 
-#[expect(clippy::too_many_arguments, reason = "one of the two halves of a plot")]
-fn pane(
-    ui: &mut Ui,
-    id: &'static str,
-    curves: &[Curve],
-    data: &PlotData<'_>,
-    cache: &PlotCache,
-    link: &mut Link,
-    height: f32,
-    abscissa: &Quantities<'_>,
-) {
+/// The ends of the window as numbers, for hands on a keyboard.
+fn window(ui: &mut Ui, link: &mut Link, range: (f64, f64)) {
+    ui.separator();
+    ui.label(RichText::new("Lines are fitted from").size(SMALL).weak());
+    ui.horizontal(|ui| {
+        let (mut first, mut last) = (
+            millimetres(link.window.first),
+            millimetres(link.window.last),
+        );
+        let (least, most) = (millimetres(range.0), millimetres(range.1));
+        let ends = [
+            (&mut first, least..=last, "First pull of the window"),
+            (
+                &mut last,
+                millimetres(link.window.first)..=most,
+                "Last pull of the window",
+            ),
+        ];
+        let mut changed = false;
+        for (end, range, name) in ends {
+            let field = DragValue::new(end)
+                .speed(0.05)
+                .range(range)
+                .fixed_decimals(2);
+            changed |= ui.add(field.suffix(" mm")).on_hover_text(name).changed();
+        }
+        if changed && first < last {
+            link.window = Window {
+                first: metres(first),
+                last: metres(last),
+            };
+        }
+    });
+}
+
+/// The name of the lower half, and the slopes of all lines.
+fn middle(ui: &mut Ui, curves: &[Curve], cache: &PlotCache, tokens: &Tokens) {
     let theme = theme_of(ui);
-    let tokens = Tokens::in_ui(ui);
+    let slope = Quantities {
+        name: "Slope",
+        unit: "°",
+    };
+    let size = vec2(ui.available_width(), MIDDLE);
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    let name = ui.painter().layout_job(ordinate(&slope, tokens).job());
+    let mut rates = Text::default();
+    if let Some(Ok(fitted)) = &cache.fits.path {
+        for (index, curve) in curves.iter().enumerate() {
+            let unit = match curve.unit {
+                "mm" => "mm/mm",
+                _ => "°/mm",
+            };
+            let ink = hue(theme, curve.hue);
+            let rate = Quantity::fixed(curve.rate(fitted), 3, unit);
+            rates = rates
+                .and(if index == 0 { "" } else { "  " }, ink)
+                .and("f′", ink)
+                .index(curve.name, ink)
+                .and(&format!(" {}", rate.digits), tokens.text);
+            // x and y have the same unit.
+            if index > 0 {
+                rates = rates.and(&format!(" {unit}"), tokens.muted);
+            }
+        }
+    }
+    let room = rect.width() - name.size().x - 48.0;
+    let rates = ui.painter().layout_job(rates.within(room));
+    let y = |height: f32| rect.center().y - 0.5 * height + 1.0;
+    let at = pos2(rect.right() - 36.0 - rates.size().x, y(rates.size().y));
+    ui.painter().galley(at, rates, tokens.text);
+    let at = pos2(rect.left() + 4.0, y(name.size().y));
+    ui.painter().galley(at, name, tokens.text);
+}
+
+/// One of the two halves of the plot.
+struct Half<'a> {
+    id: &'static str,
+    curves: &'a [Curve],
+    height: f32,
+    abscissa: &'a Quantities<'a>,
+}
+
+fn half(ui: &mut Ui, half: &Half<'_>, data: &PlotData<'_>, cache: &PlotCache, link: &mut Link) {
+    let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
+    let pieces = &cache.course.pieces;
     let group = ui.scope_id().with("pull axis");
-    let plot = canvas(id, height, abscissa, &tokens, Whole::No)
+    let plot = canvas(half.id, half.height, half.abscissa, &tokens, Whole::No)
         .link_axis(group, [true, false])
+        .show_axes([!half.abscissa.name.is_empty(), true])
         .include_y(0.0);
     let shown = plot.show(ui, |plot| {
         plot.span(window_shade(data, &tokens));
-        for curve in curves {
-            for piece in &cache.course.pieces {
-                let points = (curve.of)(piece).as_slice();
-                let line = Line::new(curve.name, points);
-                plot.line(line.stroke(Stroke::new(2.0, hue(theme, curve.hue))));
+        for one in half.curves {
+            for piece in pieces {
+                plot.line(curve(one.name, (one.of)(piece), hue(theme, one.hue)));
             }
         }
     });
-    named(&shown.response, id);
-    let painter = ui
-        .painter()
-        .with_clip_rect(shown.transform.frame().expand2([0.0, 6.0].into()));
-    let surface = Surface::of(&painter, &shown.response, shown.transform);
+    named(&shown.response, half.id);
+    let clip = shown.transform.frame().expand2(vec2(0.0, 6.0));
+    let painter = ui.painter().with_clip_rect(clip);
+    let surface = Surface::of(&painter, &shown.response, shown.transform, &tokens);
     surface.zero(&tokens);
-    if let Some(Ok(rates)) = &cache.fits.path {
-        let window = data.window;
-        let mut names = Vec::new();
-        for curve in curves {
-            let ends = [window.first, window.last]
-                .map(|pull| surface.at(millimetres(pull), curve.line_at(rates, pull)));
-            let ink = hue(theme, curve.hue);
-            surface.dashed(ends, ink.gamma_multiply(0.8));
-            names.push((ends[1], ink, curve));
+    for one in half.curves {
+        let ink = hue(theme, one.hue);
+        for pair in pieces.windows(2) {
+            surface.jump((one.of)(&pair[0]).last(), (one.of)(&pair[1]).first(), ink);
         }
-        slopes(&surface, &mut names, rates, &tokens);
-    }
-    // The curves' own names, where they end.
-    for curve in curves {
-        let last = cache
-            .course
-            .pieces
-            .last()
-            .and_then(|piece| (curve.of)(piece).last());
-        if let Some(last) = last {
-            let at = surface.at(last.x, last.y) + eframe::egui::vec2(-4.0, -4.0);
-            let text = Text::of(curve.name, hue(theme, curve.hue));
-            surface.name(at, Align2::RIGHT_BOTTOM, text);
+        if let Some(Ok(rates)) = &cache.fits.path {
+            let ends = [data.window.first, data.window.last];
+            let ends = ends.map(|pull| surface.at(millimetres(pull), one.line_at(rates, pull)));
+            surface.dashed(ends, ink);
+        }
+        // Its own name, beyond its end.
+        if let Some(last) = pieces.last().and_then(|piece| (one.of)(piece).last()) {
+            let at = surface.at(last.x, last.y) + vec2(5.0, 0.0);
+            surface.name(at, Align2::LEFT_CENTER, Text::of(one.name, ink));
         }
     }
-    cursors(ui, &surface, &shown.response, data, link, Edges::Shown);
-    // Where the curves are now.
-    for curve in curves {
-        let pull = millimetres(data.solution.pull);
-        let pieces = cache.course.pieces.iter();
+    let on_axis = !half.abscissa.name.is_empty();
+    let cursor = Cursor {
+        edges: Edges::Shown,
+        knob: if on_axis { Knob::Shown } else { Knob::Hidden },
+    };
+    cursor.show(ui, &surface, &shown.response, data, link);
+    let pull = millimetres(data.solution.pull);
+    for one in half.curves {
         let here = pieces
-            .filter_map(|piece| value_at((curve.of)(piece), pull))
-            .last();
-        if let Some(here) = here {
-            let at = surface.at(pull, here);
-            surface.painter.circle_filled(at, 4.0, tokens.panel);
-            surface
-                .painter
-                .circle_filled(at, 3.0, hue(theme, curve.hue));
+            .iter()
+            .filter_map(|piece| value_at((one.of)(piece), pull));
+        if let Some(here) = here.last() {
+            surface.dot(surface.at(pull, here), hue(theme, one.hue), &tokens);
         }
-    }
-}
-
-/// The lines' slopes, beside the window's far edge, apart from each other.
-fn slopes(
-    surface: &Surface<'_>,
-    names: &mut [(eframe::egui::Pos2, Color32, &Curve)],
-    rates: &Rates,
-    tokens: &Tokens,
-) {
-    names.sort_by(|a, b| a.0.y.total_cmp(&b.0.y));
-    let mut lowest = f32::NEG_INFINITY;
-    for (end, ink, curve) in names {
-        let unit = match curve.unit {
-            "mm" => "mm/mm",
-            _ => "°/mm",
-        };
-        let rate = Quantity::fixed(curve.rate(rates), 3, unit);
-        let text = Text::of("f′", *ink)
-            .index(curve.name, *ink)
-            .and(&format!(" {}", rate.digits), *ink)
-            .and(&format!(" {}", rate.unit), tokens.muted);
-        let at = pos2(end.x + 8.0, end.y.max(lowest + 16.0));
-        let room = surface.frame().right() - end.x;
-        let (at, anchor) = if room > 120.0 {
-            (at, Align2::LEFT_CENTER)
-        } else {
-            (pos2(end.x - 8.0, at.y - 12.0), Align2::RIGHT_CENTER)
-        };
-        lowest = surface.name(at, anchor, text).center().y;
     }
 }
 
