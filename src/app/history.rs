@@ -1,11 +1,11 @@
 //! Undo and redo, a step for each gesture: whatever changes while a button is
 //! held, a field is edited or the robot plays becomes one step when it ends.
 
-use crate::scene::Scene;
+use crate::scene::{Obstacle, Scene, Shape};
 use std::collections::VecDeque;
 
-/// Steps that are kept.
-const MOST: usize = 500;
+/// What the steps that are kept may take, in bytes, about.
+const MOST_BYTES: usize = 64 << 20;
 
 /// The scenes before and after the present one.
 #[derive(Clone, Debug)]
@@ -13,6 +13,8 @@ pub struct History {
     present: Scene,
     past: VecDeque<Scene>,
     future: Vec<Scene>,
+    /// What the past takes.
+    bytes: usize,
 }
 
 /// Whether the user is in the middle of something.
@@ -31,6 +33,7 @@ impl History {
             present: scene.clone(),
             past: VecDeque::new(),
             future: Vec::new(),
+            bytes: 0,
         }
     }
 
@@ -40,11 +43,18 @@ impl History {
             return;
         }
         let before = std::mem::replace(&mut self.present, scene.clone());
-        self.past.push_back(before);
-        if self.past.len() > MOST {
-            self.past.pop_front();
+        self.remember(before);
+        while self.bytes > MOST_BYTES
+            && let Some(oldest) = self.past.pop_front()
+        {
+            self.bytes -= size(&oldest);
         }
         self.future.clear();
+    }
+
+    fn remember(&mut self, before: Scene) {
+        self.bytes += size(&before);
+        self.past.push_back(before);
     }
 
     /// Whether there is a step to take back, given the scene as it is now: one
@@ -62,6 +72,7 @@ impl History {
     pub fn undo(&mut self, scene: &mut Scene) {
         self.observe(scene, Gesture::Over);
         if let Some(before) = self.past.pop_back() {
+            self.bytes -= size(&before);
             let after = std::mem::replace(&mut self.present, before);
             self.future.push(after);
             scene.clone_from(&self.present);
@@ -73,10 +84,27 @@ impl History {
         self.observe(scene, Gesture::Over);
         if let Some(after) = self.future.pop() {
             let before = std::mem::replace(&mut self.present, after);
-            self.past.push_back(before);
+            self.remember(before);
             scene.clone_from(&self.present);
         }
     }
+}
+
+/// What a scene takes, in bytes, about: what it is made of without bound.
+fn size(scene: &Scene) -> usize {
+    let points = scene
+        .obstacles
+        .iter()
+        .map(|obstacle| match &obstacle.shape {
+            Shape::Polygon { points_mm, .. } => points_mm.len(),
+            _ => 0,
+        });
+    let measured = scene.measured.as_ref();
+    let measured = measured.map_or(0, |held| held.points_mm.len() + held.forces.len());
+    let points = points.sum::<usize>() + measured + scene.contact.listed.len();
+    std::mem::size_of::<Scene>()
+        + scene.obstacles.len() * std::mem::size_of::<Obstacle>()
+        + points * std::mem::size_of::<[f64; 2]>()
 }
 
 #[cfg(test)]
@@ -122,15 +150,26 @@ mod tests {
     }
 
     #[test]
-    fn the_oldest_steps_are_forgotten() {
-        let mut history = History::new(&pulled(0.0));
-        for pull in 1..=MOST + 10 {
-            history.observe(&pulled(pull as f64), Gesture::Over);
+    fn the_oldest_steps_of_large_scenes_are_forgotten() {
+        let large = |pull| {
+            let mut scene = pulled(pull);
+            let disc = Shape::Disc {
+                center_mm: [0.0; 2],
+                radius_mm: 1.0,
+            };
+            scene.obstacles = vec![disc.into(); 1000];
+            scene
+        };
+        let steps = MOST_BYTES / size(&large(0.0));
+        let mut history = History::new(&large(0.0));
+        for pull in 1..=steps + 10 {
+            history.observe(&large(pull as f64), Gesture::Over);
         }
-        let mut scene = pulled((MOST + 10) as f64);
+        let mut scene = large((steps + 10) as f64);
         while history.can_undo(&scene) {
             history.undo(&mut scene);
         }
-        assert_eq!(scene, pulled(10.0));
+        assert_eq!(scene, large(10.0));
+        assert_eq!(history.bytes, 0);
     }
 }

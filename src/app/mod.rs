@@ -110,8 +110,10 @@ impl Sinew {
     }
 }
 
-impl eframe::App for Sinew {
-    fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
+impl Sinew {
+    /// What comes before a frame: what the system and the solver have to tell,
+    /// and the pull of a robot that plays.
+    pub fn before_frame(&mut self, ctx: &Context) {
         let state = &mut self.state;
         suit(ctx, &state.preferences);
         files::guard_closing(state, ctx);
@@ -131,7 +133,8 @@ impl eframe::App for Sinew {
         }
     }
 
-    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+    /// A frame.
+    pub fn frame(&mut self, ui: &mut Ui) {
         let state = &mut self.state;
         let ctx = ui.ctx().clone();
         canvas::hold_space(&ctx, state);
@@ -151,8 +154,18 @@ impl eframe::App for Sinew {
         }
         state.settle(&ctx);
         files::title(state, &ctx);
-        if state.gesture(&ctx) == history::Gesture::Over {
-            files::autosave::store_settled(state, frame.storage_mut());
+    }
+}
+
+impl eframe::App for Sinew {
+    fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
+        self.before_frame(ctx);
+    }
+
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        self.frame(ui);
+        if self.state.gesture(ui.ctx()) == history::Gesture::Over {
+            files::autosave::store_settled(&mut self.state, frame.storage_mut());
         }
     }
 
