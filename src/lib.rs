@@ -42,8 +42,8 @@
 //! - [`equilibrium`]: from a problem to a certified solution, step by step.
 //! - [`forces`]: newtons, from multipliers with a bending stiffness and from
 //!   kinematics by virtual work; the balance of the whole robot.
-//! - [`experiments`]: the paper's figures and table as data, and measured
-//!   shapes against computed ones.
+//! - [`experiments`]: the paper's figures and table as data, measurements from CSV,
+//!   and measured shapes against computed ones.
 //! - [`explore`]: the robot along its whole pull: its path, its jumps, the
 //!   forces under every load.
 //! - [`solving`]: live requests, the newest first, in slices.

@@ -27,6 +27,8 @@ pub struct Live {
     drawing: Drawing,
     /// Counts the changes of the drawing.
     revision: u64,
+    /// Counts the paths.
+    path_revision: u64,
 }
 
 impl Live {
@@ -48,6 +50,7 @@ impl Live {
             course: 0,
             drawing: draw(problem, &Solution::default(), notes),
             revision: 0,
+            path_revision: 0,
         };
         live.ask(problem, StartFrom::Straight, span);
         live
@@ -87,6 +90,7 @@ impl Live {
                 }
                 Update::Path { generation, path } => {
                     self.path = Some(Arc::new(path));
+                    self.path_revision += 1;
                     self.path_is_current = generation >= self.course;
                     news = true;
                 }
@@ -117,6 +121,11 @@ impl Live {
     /// a scene a moment ago, see [`Live::path_is_current`].
     pub fn path(&self) -> Option<&Arc<Path>> {
         self.path.as_ref()
+    }
+
+    /// Counts the changes of [`Live::path`].
+    pub fn path_revision(&self) -> u64 {
+        self.path_revision
     }
 
     /// Whether the path is that of the problem last asked for.

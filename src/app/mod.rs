@@ -10,6 +10,7 @@
 pub mod backend;
 mod canvas;
 mod commands;
+mod dock;
 mod document;
 pub mod examples;
 pub mod files;
@@ -22,6 +23,7 @@ mod notices;
 pub mod panels;
 mod photo;
 pub mod platform;
+pub mod plots;
 mod sheets;
 mod space;
 mod state;

@@ -3,6 +3,7 @@
 use super::backend::SolverBackend;
 use super::canvas::{Canvas, Hints};
 use super::commands::Command;
+use super::dock::Dock;
 use super::document::{Document, Settled};
 use super::files::Files;
 use super::history::{Gesture, History};
@@ -184,6 +185,8 @@ pub struct State {
     pub space: Space,
     /// What the panels keep from frame to frame.
     pub panels: Panels,
+    /// The plots and tables; not there while they are shown.
+    pub dock: Option<Dock>,
     /// The pull over time.
     pub transport: Transport,
     /// The user's choices.
@@ -221,6 +224,7 @@ impl State {
             hovering: Hovered::Nothing,
             canvas: Canvas::default(),
             space: Space::default(),
+            dock: Some(Dock::default()),
             panels: Panels::default(),
             transport: Transport::default(),
             preferences,

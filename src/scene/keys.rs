@@ -36,12 +36,24 @@ pub(super) enum Kind {
     /// Two numbers, x and y, or width and height.
     Pair(Limits),
     /// Pairs, so many at least and at most.
+    #[cfg_attr(
+        not(feature = "cli"),
+        expect(dead_code, reason = "only the JSON Schema tells how many")
+    )]
     Points(Limits, usize, usize),
     /// Whole numbers, so many at most.
+    #[cfg_attr(
+        not(feature = "cli"),
+        expect(dead_code, reason = "only the JSON Schema tells how many")
+    )]
     Wholes(Limits, usize),
     Table(&'static [Key]),
     /// Tables, so many at most, with the end of the sentence on how to write
     /// them.
+    #[cfg_attr(
+        not(feature = "cli"),
+        expect(dead_code, reason = "only the JSON Schema tells how many")
+    )]
     Tables(&'static [Key], usize, &'static str),
     /// Tables whose keys depend on their `shape`.
     Obstacles,

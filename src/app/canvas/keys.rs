@@ -101,7 +101,7 @@ fn draw(ctx: &Context, state: &mut State) {
 fn cycle(ctx: &Context, state: &mut State, direction: FocusDirection) {
     let robot = state.document.scene.obstacles.len();
     let now = match state.selection {
-        Selection::Nothing => None,
+        Selection::Nothing | Selection::Photo | Selection::Measured => None,
         Selection::Obstacle(index) => Some(index),
         Selection::Robot => Some(robot),
     };
@@ -164,7 +164,7 @@ fn nudge(ctx: &Context, state: &mut State, frame: &Frame) {
             let pull = neat(*pull_mm + PULL_MM * (steps.x + steps.y), 0.1 * PULL_MM);
             *pull_mm = pull.clamp(span.0, span.1);
         }
-        Selection::Nothing => {}
+        Selection::Nothing | Selection::Photo | Selection::Measured => {}
     }
 }
 

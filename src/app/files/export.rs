@@ -3,11 +3,12 @@
 use super::file_name;
 use crate::app::link;
 use crate::app::notices::Notice;
-use crate::app::platform::{Destination, Errand, PictureKind};
+use crate::app::platform::{Contents, Destination, Errand, PictureKind};
 use crate::app::state::State;
 use crate::report::{png, svg};
 use crate::view::Theme;
 use eframe::egui::Context;
+use std::path::Path;
 
 /// Pixels of a PNG in a pixel of the picture.
 const SCALE: f64 = 2.0;
@@ -25,12 +26,9 @@ pub fn picture(state: &mut State, kind: PictureKind, ctx: &Context) {
         PictureKind::Svg => "svg",
         PictureKind::Png => "png",
     };
-    let to = Destination::Ask {
-        name: file_name(state, ending),
-        folder: super::folder(state),
-    };
+    let name = file_name(state, ending);
     let drawing = state.live.drawing().clone();
-    let contents = Box::new(move |_: &std::path::Path| {
+    let contents = Box::new(move |_: &Path| {
         let size = svg::Size::suiting(&drawing);
         match kind {
             PictureKind::Svg => Ok(svg::render(&drawing, theme, size).into_bytes()),
@@ -39,13 +37,30 @@ pub fn picture(state: &mut State, kind: PictureKind, ctx: &Context) {
             }
         }
     });
-    if !state.files.asking {
-        state.files.asking = true;
-        state
-            .files
-            .platform
-            .write(Errand::Picture(kind), to, contents);
+    write(state, Errand::Picture(kind), name, contents);
+}
+
+/// Exports a plot as a picture or as its numbers.
+pub fn plot(state: &mut State, word: &str, ending: &str, bytes: Vec<u8>) {
+    let errand = match ending {
+        "svg" => Errand::Picture(PictureKind::Svg),
+        _ => Errand::Table,
+    };
+    let scene = file_name(state, ending);
+    let scene = scene.strip_suffix(&format!(".{ending}")).unwrap_or(&scene);
+    let name = format!("{scene}-{word}.{ending}");
+    write(state, errand, name, Box::new(move |_: &Path| Ok(bytes)));
+}
+
+/// Asks where a file is to go, unless something is being asked already.
+fn write(state: &mut State, errand: Errand, name: String, contents: Contents) {
+    if state.files.asking {
+        return;
     }
+    let folder = super::folder(state);
+    state.files.asking = true;
+    let to = Destination::Ask { name, folder };
+    state.files.platform.write(errand, to, contents);
 }
 
 /// Copies a link that holds the whole scene.

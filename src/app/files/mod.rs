@@ -190,7 +190,7 @@ fn meet(state: &mut State, news: News, ctx: &Context) {
                 Errand::Photo | Errand::KnownPhoto => {
                     super::photo::take(state, errand, path, bytes);
                 }
-                Errand::Save | Errand::Picture(_) => {}
+                Errand::Save | Errand::Picture(_) | Errand::Table => {}
             }
         }
         News::Written { errand, path } => {

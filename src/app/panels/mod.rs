@@ -18,6 +18,7 @@ mod typed;
 
 pub use settings::settings_id;
 
+use super::dock;
 use super::look::Tokens;
 use super::state::{Selection, State};
 use eframe::egui::{Align, Frame, Layout, Margin, Panel, Ui, vec2};
@@ -25,6 +26,9 @@ use eframe::egui::{Align, Frame, Layout, Margin, Panel, Ui, vec2};
 /// Windows that are narrower than this, in points, have no room for the
 /// outline.
 const NARROW: f32 = 640.0;
+
+/// Windows that are narrower than this, in points, have no room for the dock.
+const WIDE: f32 = 960.0;
 
 /// What the panels keep from frame to frame.
 #[derive(Debug, Default)]
@@ -80,6 +84,13 @@ pub fn show(ui: &mut Ui, state: &mut State) {
                 ui.add_space(20.0);
                 inspector::show(ui, state);
             });
+    }
+    if state.preferences.dock && width >= WIDE {
+        Panel::right("dock")
+            .frame(Frame::new().fill(tokens.panel))
+            .default_size(0.27 * width)
+            .size_range(280.0..=0.6 * width)
+            .show(ui, |ui| dock::show(ui, state));
     }
     if state.panels.certificate {
         status::certificate(ui, state);

@@ -32,6 +32,8 @@ pub enum Errand {
     Save,
     /// A picture, to be written.
     Picture(PictureKind),
+    /// A plot's numbers, to be written.
+    Table,
 }
 
 /// The kinds of pictures that can be exported.
@@ -50,6 +52,7 @@ impl Errand {
             Errand::Scene | Errand::Save => "scene",
             Errand::Measurements => "table of measurements",
             Errand::Photo | Errand::KnownPhoto => "photograph",
+            Errand::Table => "table",
             Errand::Picture(_) => "picture",
         }
     }
@@ -59,6 +62,7 @@ impl Errand {
         match self {
             Errand::Scene | Errand::Save => &["toml"],
             Errand::Measurements => &["csv", "txt"],
+            Errand::Table => &["csv"],
             Errand::Photo | Errand::KnownPhoto => &["png", "jpg", "jpeg"],
             Errand::Picture(PictureKind::Svg) => &["svg"],
             Errand::Picture(PictureKind::Png) => &["png"],

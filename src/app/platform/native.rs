@@ -105,6 +105,7 @@ fn dialog(errand: Errand, folder: Option<&Path>) -> AsyncFileDialog {
         Errand::Save => ("Save the scene", "Scenes"),
         Errand::Picture(PictureKind::Svg) => ("Export as SVG", "SVG pictures"),
         Errand::Picture(PictureKind::Png) => ("Export as PNG", "PNG pictures"),
+        Errand::Table => ("Export as CSV", "Tables"),
     };
     let dialog = AsyncFileDialog::new()
         .set_title(title)

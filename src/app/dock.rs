@@ -1,0 +1,284 @@
+//! The dock on the right: plots and tables in tabs, which can be dragged to
+//! where they are wanted.
+
+use super::files;
+use super::panels::tables;
+use super::plots::{Link, Plot, PlotAction, PlotCache, PlotData};
+use super::state::{Hovered, Selection, State};
+use crate::equilibrium::Solution;
+use crate::forces::{Statics, Stiffness, Window};
+use crate::units::{METRES_PER_MM, millimetres};
+use eframe::egui::{
+    Color32, Frame, Id, Margin, ScrollArea, Stroke, Style, Ui, Visuals, WidgetText,
+};
+use egui_tiles::{Behavior, SimplificationOptions, TabState, TileId, Tiles, Tree, UiResponse};
+use serde::{Deserialize, Serialize};
+
+/// Something in the dock.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Pane {
+    /// A plot.
+    Plot(Plot),
+    /// The table of contacts.
+    Contacts,
+    /// The table of obstacles.
+    Obstacles,
+}
+
+impl Pane {
+    fn title(self) -> &'static str {
+        match self {
+            Pane::Plot(plot) => plot.title(),
+            Pane::Contacts => "Contacts",
+            Pane::Obstacles => "Obstacles",
+        }
+    }
+}
+
+/// The dock's panes and what their plots have computed.
+pub struct Dock {
+    tree: Tree<Pane>,
+    cache: PlotCache,
+    /// The pulls that lines are fitted on: the paper's, until it is dragged.
+    window: Window,
+    statics: Forces,
+}
+
+/// The forces on a shape, computed once.
+#[derive(Default)]
+struct Forces {
+    revision: Option<u64>,
+    statics: Option<Statics>,
+}
+
+impl Default for Dock {
+    fn default() -> Self {
+        Self {
+            tree: arranged(),
+            cache: PlotCache::default(),
+            window: Window {
+                first: 0.0,
+                last: 10.0 * METRES_PER_MM,
+            },
+            statics: Forces::default(),
+        }
+    }
+}
+
+impl Forces {
+    /// Computes the forces anew if the shape has changed.
+    fn refresh(&mut self, state: &State) {
+        let revision = Some(state.live.revision());
+        if self.revision == revision {
+            return;
+        }
+        self.revision = revision;
+        let stiffness = Stiffness::of_scene(&state.document.scene).ok().flatten();
+        let solution = state.live.solution().filter(|_| state.live.is_settled());
+        self.statics = stiffness
+            .zip(solution)
+            .map(|(stiffness, solution)| Statics::of(state.live.problem(), solution, stiffness));
+    }
+}
+
+impl Dock {
+    /// Puts all panes back where they were at first.
+    pub fn rearrange(&mut self) {
+        self.tree = arranged();
+    }
+}
+
+/// Three groups of tabs below each other; the paper's figures are in front.
+fn arranged() -> Tree<Pane> {
+    let mut tiles = Tiles::default();
+    let groups = [
+        vec![
+            Pane::Plot(Plot::Multipliers),
+            Pane::Plot(Plot::Bends),
+            Pane::Contacts,
+        ],
+        vec![Pane::Plot(Plot::Tip), Pane::Plot(Plot::Energy)],
+        vec![Pane::Plot(Plot::Force), Pane::Obstacles],
+    ];
+    let groups = groups.map(|panes| {
+        let panes = panes.into_iter().map(|pane| tiles.insert_pane(pane));
+        let panes: Vec<TileId> = panes.collect();
+        tiles.insert_tab_tile(panes)
+    });
+    let root = tiles.insert_vertical_tile(groups.to_vec());
+    Tree::new(Id::unique("dock"), root, tiles)
+}
+
+/// Shows the dock in all the room there is.
+pub fn show(ui: &mut Ui, state: &mut State) {
+    let Some(mut dock) = state.dock.take() else {
+        return;
+    };
+    dock.statics.refresh(state);
+    let link = Link {
+        hovered: state.hovered,
+        hovering: Hovered::Nothing,
+        pull: None,
+        window: dock.window,
+        calibrate: None,
+    };
+    let mut shown = Shown {
+        state,
+        cache: &mut dock.cache,
+        statics: dock.statics.statics.as_ref(),
+        link,
+        actions: Vec::new(),
+    };
+    dock.tree.ui(&mut shown, ui);
+    let Shown { link, actions, .. } = shown;
+    dock.window = link.window;
+    state.dock = Some(dock);
+    heed(state, link);
+    for action in actions {
+        act(state, action);
+    }
+}
+
+/// Does what a hand did on a plot.
+fn heed(state: &mut State, link: Link) {
+    if link.hovering != Hovered::Nothing {
+        state.hovering = link.hovering;
+    }
+    if let Some(pull) = link.pull {
+        let (least, most) = state.span_mm();
+        state.transport.stop();
+        state.document.scene.actuation.pull_mm = millimetres(pull).clamp(least, most);
+    }
+    if let Some(index) = link.calibrate
+        && let Some(measured) = &mut state.document.scene.measured
+    {
+        measured.calibration = u32::try_from(index).ok();
+    }
+}
+
+fn act(state: &mut State, action: PlotAction) {
+    match action {
+        PlotAction::Save {
+            name,
+            extension,
+            bytes,
+        } => files::export::plot(state, &name, extension, bytes),
+        PlotAction::AskStiffness => state.selection = Selection::Robot,
+        PlotAction::AskReading => files::pick(state, super::platform::Errand::Measurements),
+    }
+}
+
+/// The panes with what they show and what is done on them.
+struct Shown<'a> {
+    state: &'a mut State,
+    cache: &'a mut PlotCache,
+    /// The forces, where the stiffness is known.
+    statics: Option<&'a Statics>,
+    link: Link,
+    actions: Vec<PlotAction>,
+}
+
+impl Behavior<Pane> for Shown<'_> {
+    fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, pane: &mut Pane) -> UiResponse {
+        let margin = Margin::symmetric(12, 8);
+        Frame::new().inner_margin(margin).show(ui, |ui| match pane {
+            Pane::Plot(plot) => self.plot(ui, *plot),
+            Pane::Contacts => {
+                ScrollArea::both().show(ui, |ui| {
+                    tables::contacts(ui, self.state, self.statics);
+                });
+            }
+            Pane::Obstacles => {
+                ScrollArea::both().show(ui, |ui| tables::obstacles(ui, self.state));
+            }
+        });
+        UiResponse::None
+    }
+
+    fn tab_title_for_pane(&mut self, pane: &Pane) -> WidgetText {
+        pane.title().into()
+    }
+
+    fn tab_bar_height(&self, _style: &Style) -> f32 {
+        32.0
+    }
+
+    fn gap_width(&self, _style: &Style) -> f32 {
+        1.0
+    }
+
+    fn tab_title_spacing(&self, _visuals: &Visuals) -> f32 {
+        10.0
+    }
+
+    fn simplification_options(&self) -> SimplificationOptions {
+        SimplificationOptions {
+            all_panes_must_have_tabs: true,
+            ..SimplificationOptions::default()
+        }
+    }
+
+    fn tab_bar_color(&self, visuals: &Visuals) -> Color32 {
+        visuals.panel_fill
+    }
+
+    fn tab_bg_color(
+        &self,
+        visuals: &Visuals,
+        _tiles: &Tiles<Pane>,
+        _tile: TileId,
+        tab: &TabState,
+    ) -> Color32 {
+        if tab.active {
+            visuals.widgets.hovered.bg_fill
+        } else {
+            visuals.panel_fill
+        }
+    }
+
+    fn tab_outline_stroke(
+        &self,
+        _visuals: &Visuals,
+        _tiles: &Tiles<Pane>,
+        _tile: TileId,
+        _tab: &TabState,
+    ) -> Stroke {
+        Stroke::NONE
+    }
+
+    fn tab_bar_hline_stroke(&self, visuals: &Visuals) -> Stroke {
+        Stroke::new(1.0, visuals.widgets.noninteractive.bg_stroke.color)
+    }
+
+    fn tab_text_color(
+        &self,
+        visuals: &Visuals,
+        _tiles: &Tiles<Pane>,
+        _tile: TileId,
+        tab: &TabState,
+    ) -> Color32 {
+        if tab.active {
+            visuals.text_color()
+        } else {
+            visuals.weak_text_color()
+        }
+    }
+}
+
+impl Shown<'_> {
+    fn plot(&mut self, ui: &mut Ui, plot: Plot) {
+        let nothing = Solution::default();
+        let live = &self.state.live;
+        let data = PlotData {
+            scene: &self.state.document.scene,
+            problem: live.problem(),
+            solution: live.solution().unwrap_or(&nothing),
+            path: live.path().map(|path| &**path),
+            window: self.link.window,
+            shape_generation: live.revision(),
+            path_generation: live.path_revision(),
+        };
+        let action = super::plots::show(ui, plot, &data, self.cache, &mut self.link);
+        self.actions.extend(action);
+    }
+}

@@ -1,0 +1,289 @@
+//! What the plots draw, in the units of their axes, computed when it changes.
+
+use super::PlotData;
+use super::marks::{self, Mark};
+use crate::equilibrium::Class;
+use crate::explore::{LoadCurve, Path};
+use crate::forces::{Rates, Sweep, VirtualWork, VirtualWorkError, Window};
+use crate::model::Line;
+use crate::scene::ForceReading;
+use crate::units::{degrees, grams, millimetres, newtons, per_millimetre};
+use egui_plot::PlotPoint;
+
+/// Pulls of the free robot's lines in a window.
+const FREE_PULLS: usize = 41;
+
+/// Everything the plots draw, kept from frame to frame.
+#[derive(Default)]
+pub struct PlotCache {
+    pub(super) shape: Shape,
+    pub(super) course: Course,
+    pub(super) fits: Fits,
+    pub(super) forces: Forces,
+    /// The generation of the shape and of the path, whether there is a path.
+    keys: Option<(u64, u64, bool)>,
+    force_keys: Option<ForceKeys>,
+}
+
+/// All that the forces depend on besides the path.
+#[derive(PartialEq)]
+struct ForceKeys {
+    stiffness: Option<f64>,
+    readings: Vec<ForceReading>,
+    calibration: Option<usize>,
+    window: Window,
+}
+
+/// The present shape.
+#[derive(Default)]
+pub(super) struct Shape {
+    pub stems: Vec<Stem>,
+    /// The greatest multiplier, in rad²/mm.
+    pub greatest: f64,
+    /// Bends and shears by segment from 1, in degrees: the corners of steps.
+    pub bends: Vec<PlotPoint>,
+    pub shears: Vec<PlotPoint>,
+    /// The bend of the free robot, in degrees.
+    pub free_bend: f64,
+}
+
+/// The side of the robot that a contact is on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    Cable,
+    Backbone,
+}
+
+impl Side {
+    pub fn of(line: Line) -> Self {
+        match line {
+            Line::Cable | Line::CableLink | Line::RimCableSide => Side::Cable,
+            Line::Backbone | Line::BackboneLink | Line::RimFarSide | Line::Disk => Side::Backbone,
+        }
+    }
+}
+
+/// A multiplier.
+#[derive(Clone, Copy)]
+pub(super) struct Stem {
+    /// Its index among the solution's contacts.
+    pub contact: usize,
+    /// The node, or where between two on a link.
+    pub at: f64,
+    pub side: Side,
+    /// In rad²/mm; 0 for a contact that grazes.
+    pub multiplier: f64,
+    /// As a share of the greatest.
+    pub share: f64,
+}
+
+/// The path, by smooth pieces.
+#[derive(Default)]
+pub(super) struct Course {
+    pub pieces: Vec<Piece>,
+    pub marks: Vec<Mark>,
+    /// The pulls that have states, in mm.
+    pub range: Option<(f64, f64)>,
+}
+
+/// A smooth piece of the path over the pull, in mm.
+pub(super) struct Piece {
+    /// Displacement of the tip, in mm.
+    pub x: Vec<PlotPoint>,
+    pub y: Vec<PlotPoint>,
+    /// Its turn, counterclockwise, in degrees.
+    pub slope: Vec<PlotPoint>,
+    /// J, in rad².
+    pub energy: Vec<PlotPoint>,
+}
+
+/// Lines through the window.
+#[derive(Default)]
+pub(super) struct Fits {
+    /// Through the path; `None` without a path.
+    pub path: Option<Result<Rates, VirtualWorkError>>,
+    /// Through the free robot, which virtual work takes its rates from.
+    pub free: Option<Result<Rates, VirtualWorkError>>,
+}
+
+/// Force against load, in grams.
+#[derive(Default)]
+pub(super) struct Forces {
+    /// By multipliers, where the stiffness and the path are known.
+    pub curve: Option<LoadCurve>,
+    /// Its total, by smooth pieces.
+    pub total: Vec<Vec<PlotPoint>>,
+    /// By virtual work, where a reading fixes μ.
+    pub work: Option<Result<VirtualWork, VirtualWorkError>>,
+    /// What is outside the estimate's assumptions, a sentence each.
+    pub caveats: Vec<String>,
+    /// The greatest load that is worth showing.
+    pub widest: f64,
+}
+
+impl PlotCache {
+    /// Computes what has changed.
+    pub fn refresh(&mut self, data: &PlotData<'_>) {
+        let path = data.path.filter(|path| !path.states.is_empty());
+        let keys = (data.shape_generation, data.path_generation, path.is_some());
+        let shape_is_known = self.keys.is_some_and(|known| known.0 == keys.0);
+        let path_is_known = self
+            .keys
+            .is_some_and(|known| (known.1, known.2) == (keys.1, keys.2));
+        self.keys = Some(keys);
+        if !shape_is_known {
+            self.shape.fill(data);
+        }
+        if !path_is_known {
+            self.course = path.map_or_else(Course::default, |path| Course::of(path, data));
+        }
+        let stiffness = data.stiffness();
+        let known = self.force_keys.as_ref();
+        let forces_are_known = path_is_known
+            && known.is_some_and(|known| {
+                known.stiffness == stiffness.map(|s| s.value())
+                    && known.readings == data.readings()
+                    && known.calibration == data.calibration()
+                    && known.window == data.window
+            });
+        if !forces_are_known {
+            self.force_keys = Some(ForceKeys {
+                stiffness: stiffness.map(|stiffness| stiffness.value()),
+                readings: data.readings().to_vec(),
+                calibration: data.calibration(),
+                window: data.window,
+            });
+            self.fits = Fits::of(data, path);
+            self.forces = Forces::of(data, path, &self.fits);
+        }
+    }
+}
+
+impl Shape {
+    fn fill(&mut self, data: &PlotData<'_>) {
+        let solution = data.solution;
+        let multiplier = |contact: &crate::equilibrium::Contact| match contact.class {
+            Class::Pressing => per_millimetre(contact.multiplier),
+            Class::Grazing => 0.0,
+        };
+        let contacts = solution.contacts.iter();
+        self.greatest = contacts.map(multiplier).fold(0.0, f64::max);
+        self.stems.clear();
+        for (index, contact) in solution.contacts.iter().enumerate() {
+            let link = matches!(contact.line, Line::BackboneLink | Line::CableLink);
+            let node = contact.node as f64;
+            let multiplier = multiplier(contact);
+            self.stems.push(Stem {
+                contact: index,
+                at: if link {
+                    node - 1.0 + contact.along
+                } else {
+                    node
+                },
+                side: Side::of(contact.line),
+                multiplier,
+                share: if self.greatest > 0.0 {
+                    multiplier / self.greatest
+                } else {
+                    0.0
+                },
+            });
+        }
+        steps(&mut self.bends, &solution.bends);
+        steps(&mut self.shears, &solution.shears);
+        self.free_bend = degrees(data.problem.segment().free_bend());
+    }
+}
+
+/// The corners of a curve that is level over each segment, in degrees.
+fn steps(corners: &mut Vec<PlotPoint>, angles: &[f64]) {
+    corners.clear();
+    for (index, angle) in angles.iter().enumerate() {
+        let segment = (index + 1) as f64;
+        corners.push(PlotPoint::new(segment - 0.5, degrees(*angle)));
+        corners.push(PlotPoint::new(segment + 0.5, degrees(*angle)));
+    }
+}
+
+impl Course {
+    fn of(path: &Path, data: &PlotData<'_>) -> Self {
+        let straight = data.problem.robot().base;
+        let tip = straight.position + data.problem.length() * straight.normal();
+        let over = |piece: &[crate::explore::PathState],
+                    of: &dyn Fn(&crate::explore::PathState) -> f64| {
+            let points = piece.iter();
+            points
+                .map(|state| PlotPoint::new(millimetres(state.pull), of(state)))
+                .collect()
+        };
+        let pieces = path.pieces().map(|piece| Piece {
+            x: over(piece, &|s| millimetres(s.tip.position.x - tip.x)),
+            y: over(piece, &|s| millimetres(s.tip.position.y - tip.y)),
+            slope: over(piece, &|s| degrees(s.tip.angle - straight.angle)),
+            energy: over(piece, &|s| s.energy),
+        });
+        Self {
+            pieces: pieces.collect(),
+            marks: marks::of(path, data),
+            range: path
+                .range()
+                .map(|(first, last)| (millimetres(first), millimetres(last))),
+        }
+    }
+}
+
+impl Fits {
+    fn of(data: &PlotData<'_>, path: Option<&Path>) -> Self {
+        let window = data.window;
+        let tip = data.problem.robot().segments;
+        let pulls = Sweep::pulls(window.first, window.last, FREE_PULLS);
+        Self {
+            path: path.map(|path| Rates::fit(&path.tip_sweep(tip), window)),
+            free: Some(Rates::fit(&Sweep::free(data.problem, &pulls), window)),
+        }
+    }
+}
+
+impl Forces {
+    fn of(data: &PlotData<'_>, path: Option<&Path>, fits: &Fits) -> Self {
+        let curve = match (path, data.stiffness()) {
+            (Some(path), Some(stiffness)) => Some(LoadCurve::of(path, data.problem, stiffness)),
+            _ => None,
+        };
+        let points = curve.iter().flat_map(|curve| &curve.points);
+        let points: Vec<_> = points.collect();
+        let total = points.chunk_by(|a, b| a.branch == b.branch);
+        let total = total.map(|piece| {
+            let points = piece.iter();
+            points
+                .map(|point| PlotPoint::new(grams(point.load), grams(point.total)))
+                .collect()
+        });
+        let robot = data.problem.robot();
+        let reading = data.calibration().map(|index| data.readings()[index]);
+        let work = reading.zip(fits.free.clone()).map(|(reading, rates)| {
+            let (load, force) = (newtons(reading.load_g), newtons(reading.force_g));
+            VirtualWork::calibrated(robot.offset, rates?, load, force)
+        });
+        let caveats = match &work {
+            Some(Ok(work)) => work
+                .caveats(robot.segments)
+                .iter()
+                .map(|caveat| format!("{caveat}."))
+                .collect(),
+            Some(Err(error)) => vec![error.to_string()],
+            None => Vec::new(),
+        };
+        let read = data.readings().iter().map(|reading| reading.load_g);
+        let read = 1.2 * read.fold(0.0, f64::max);
+        let reached = points.iter().map(|point| grams(point.load));
+        let reached = reached.fold(0.0, f64::max);
+        Self {
+            total: total.collect(),
+            widest: if read > 0.0 { read } else { reached },
+            work,
+            caveats,
+            curve,
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! The energy over the pull, with what happens on the way: contacts made and
+//! lost, jumps, ends.
+
+use super::over_pull::{Edges, cursors, read_at};
+use super::pane::{
+    Quantities, Surface, Text, Whole, canvas, empty, header, hue, named, ordinate, value_at,
+};
+use super::{Link, Plot, PlotAction, PlotCache, PlotData, marks};
+use crate::app::look::{Tokens, theme_of};
+use crate::app::state::Hovered;
+use crate::app::words;
+use crate::experiments::{Axis, Chart, Mark, Series};
+use crate::units::{millimetres, per_millimetre};
+use crate::view::Quantity;
+use eframe::egui::{Stroke, Ui, vec2};
+use egui_plot::Line;
+
+pub(super) fn show(
+    ui: &mut Ui,
+    data: &PlotData<'_>,
+    cache: &PlotCache,
+    link: &mut Link,
+) -> Option<PlotAction> {
+    let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
+    let pieces = &cache.course.pieces;
+    let pull = millimetres(read_at(data, link));
+    let mut reading = Text::default();
+    let value = pieces
+        .iter()
+        .filter_map(|piece| value_at(&piece.energy, pull));
+    if let Some(energy) = value.last() {
+        reading = reading
+            .value("pull", &Quantity::fixed(pull, 2, "mm"), &tokens)
+            .value("J", &Quantity::significant(energy, "rad²"), &tokens);
+    }
+    let energy = Quantities {
+        name: "Energy J",
+        unit: "rad²",
+    };
+    let name = ordinate(&energy, &tokens);
+    let action = header(ui, Plot::Energy, data, cache, name, reading);
+    if pieces.is_empty() {
+        empty(ui, "The robot is being followed along its pull.", |_| {});
+        return action;
+    }
+    let abscissa = Quantities {
+        name: "Pull",
+        unit: "mm",
+    };
+    let height = ui.available_height();
+    // Room above the curve for the marks and their names.
+    let top = marks::height(&cache.course.marks);
+    let most = pieces.iter().flat_map(|piece| &piece.energy);
+    let most = most.map(|point| point.y).fold(0.0, f64::max);
+    let inner = f64::from((height - 44.0).max(1.0));
+    let headroom = most * (1.0 + f64::from(top) / (inner - f64::from(top)).max(1.0));
+    let plot = canvas("energy", height, &abscissa, &tokens, Whole::No)
+        .set_margin_fraction(vec2(0.03, 0.03))
+        .include_y(headroom);
+    let shown = plot.show(ui, |plot| {
+        for piece in pieces {
+            let line = Line::new("J", piece.energy.as_slice());
+            plot.line(line.stroke(Stroke::new(2.0, hue(theme, 0))));
+        }
+    });
+    named(&shown.response, "Energy over the pull");
+    let painter = ui
+        .painter()
+        .with_clip_rect(shown.transform.frame().expand2(vec2(0.0, 6.0)));
+    let surface = Surface::of(&painter, &shown.response, shown.transform);
+    surface.zero(&tokens);
+    let mark = marks::draw(&surface, &cache.course.marks, &tokens);
+    cursors(ui, &surface, &shown.response, data, link, Edges::Hidden);
+    if let Some(here) = pieces
+        .iter()
+        .filter_map(|piece| value_at(&piece.energy, millimetres(data.solution.pull)))
+        .last()
+    {
+        let at = surface.at(millimetres(data.solution.pull), here);
+        painter.circle_filled(at, 4.0, tokens.panel);
+        painter.circle_filled(at, 3.0, hue(theme, 0));
+    }
+    if let Some(mark) = mark {
+        link.hovering = Hovered::Pull(mark.at);
+        if shown.response.clicked() {
+            link.pull = Some(mark.at);
+        }
+        shown.response.on_hover_text_at_pointer(&mark.long);
+    }
+    action
+}
+
+pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {
+    table.write_record([
+        "pull_mm",
+        "energy_rad2",
+        "energy_slope_rad2_per_mm",
+        "event",
+    ])?;
+    let Some(path) = data.path else {
+        return Ok(());
+    };
+    let mut events = path.events.iter().peekable();
+    let mut note = |table: &mut csv::Writer<Vec<u8>>, before: f64| -> csv::Result<()> {
+        while let Some(event) = events.next_if(|event| event.pull <= before) {
+            let pull = millimetres(event.pull).to_string();
+            let what = words::occurrence(&event.what, data.scene);
+            table.write_record([pull.as_str(), "", "", what.as_str()])?;
+        }
+        Ok(())
+    };
+    for state in &path.states {
+        note(table, state.pull)?;
+        let slope = per_millimetre(state.energy_slope);
+        let numbers = [millimetres(state.pull), state.energy, slope].map(|n| n.to_string());
+        table.write_record(numbers.iter().map(String::as_str).chain([""]))?;
+    }
+    note(table, f64::INFINITY)
+}
+
+pub(super) fn charts(cache: &PlotCache) -> Vec<Chart> {
+    let mut series: Vec<Series> = Vec::new();
+    for (index, piece) in cache.course.pieces.iter().enumerate() {
+        let name = match index {
+            0 => "energy".to_owned(),
+            jumps => format!("after {jumps} jumps"),
+        };
+        let points = piece.energy.iter().map(|p| (p.x, p.y)).collect();
+        series.push(Series::new(name, Mark::Line, points));
+    }
+    let at = |mark: &marks::Mark| {
+        let pieces = cache.course.pieces.iter();
+        let value = pieces.filter_map(|piece| value_at(&piece.energy, mark.pull));
+        value.last().map(|energy| (mark.pull, energy))
+    };
+    for (kind, name) in [
+        (marks::Kind::Made, "contact made"),
+        (marks::Kind::Lost, "contact lost"),
+        (marks::Kind::Jump, "jump"),
+        (marks::Kind::End, "end"),
+    ] {
+        let of_kind = cache.course.marks.iter().filter(|mark| mark.kind == kind);
+        let points: Vec<_> = of_kind.filter_map(at).collect();
+        if !points.is_empty() {
+            series.push(Series::new(name, Mark::Dots, points));
+        }
+    }
+    vec![Chart {
+        title: "Energy over the pull".to_owned(),
+        word: "energy",
+        x: Axis::new("pull", "mm"),
+        y: Axis::new("energy", "rad²"),
+        series,
+    }]
+}

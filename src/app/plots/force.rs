@@ -1,0 +1,437 @@
+//! Force against load, the paper's Fig. 10: by multipliers where the stiffness
+//! is known, by virtual work where a reading fixes μ, and what was read.
+
+use super::pane::{
+    Quantities, Surface, Text, Whole, canvas, empty, header, hue, named, ordinate, value_at,
+};
+use super::{Link, Plot, PlotAction, PlotCache, PlotData};
+use crate::app::look::{Tokens, theme_of};
+use crate::app::state::Hovered;
+use crate::app::words;
+use crate::equilibrium::Class;
+use crate::experiments::{Axis, Chart, Mark, Series};
+use crate::explore::LoadPoint;
+use crate::scene::ForceReading;
+use crate::units::{grams, millimetres, newtons};
+use crate::view::Quantity;
+use eframe::egui::{Align2, CursorIcon, Response, RichText, Stroke, Ui, pos2, vec2};
+use egui_plot::{Line, PlotPoint};
+
+/// How near the pointer has to be to a reading.
+const NEAR: f32 = 14.0;
+
+/// The force by virtual work under a load, both in grams.
+fn by_work(cache: &PlotCache, load_g: f64) -> Option<f64> {
+    match &cache.forces.work {
+        Some(Ok(work)) => Some(grams(newtons(load_g) * work.force_per_load())),
+        _ => None,
+    }
+}
+
+/// The force by multipliers under a load, in grams.
+fn by_multipliers(cache: &PlotCache, load_g: f64) -> Option<f64> {
+    let point = cache.forces.curve.as_ref()?.at(newtons(load_g))?;
+    Some(grams(point.total))
+}
+
+/// The present shape as a load and a force, in grams, where it presses.
+fn present(data: &PlotData<'_>, cache: &PlotCache) -> Option<PlotPoint> {
+    let curve = cache.forces.curve.as_ref()?;
+    let per_bend = data.stiffness()?.per_bend(data.problem);
+    let contacts = data.solution.contacts.iter();
+    let pressing = contacts.filter(|contact| contact.class == Class::Pressing);
+    let force = per_bend * pressing.map(|contact| contact.multiplier).sum::<f64>();
+    let load = per_bend * data.solution.certificate.energy_slope - curve.datum;
+    (curve.contact.is_some() && force > 0.0).then(|| PlotPoint::new(grams(load), grams(force)))
+}
+
+pub(super) fn show(
+    ui: &mut Ui,
+    data: &PlotData<'_>,
+    cache: &PlotCache,
+    link: &mut Link,
+) -> Option<PlotAction> {
+    let tokens = Tokens::in_ui(ui);
+    let force = Quantities {
+        name: "Force on obstacles",
+        unit: "g",
+    };
+    let here = present(data, cache);
+    let twin = twin(cache, link);
+    let mut reading = Text::default();
+    let read = twin.map(|point| (grams(point.load), grams(point.total)));
+    if let Some((load, force)) = read.or(here.map(|point| (point.x, point.y))) {
+        reading = reading
+            .value("load", &Quantity::fixed(load, 1, "g"), &tokens)
+            .value("force", &Quantity::fixed(force, 1, "g"), &tokens);
+    }
+    let name = ordinate(&force, &tokens);
+    let mut action = header(ui, Plot::Force, data, cache, name, reading);
+    if let Some(asked) = nothing(ui, data, cache) {
+        return asked.or(action);
+    }
+    if let Some(first) = cache.forces.caveats.first() {
+        caveats(ui, first, cache, &tokens);
+    }
+    let shown = curves(ui, data, cache);
+    let (response, transform) = (shown.response, shown.transform);
+    named(&response, "Force against load");
+    let painter = ui.painter().with_clip_rect(*transform.frame());
+    let surface = Surface::of(&painter, &response, transform);
+    surface.zero(&tokens);
+    names(ui, &surface, data, cache);
+    for point in [
+        here,
+        twin.map(|p| PlotPoint::new(grams(p.load), grams(p.total))),
+    ] {
+        if let Some(point) = point {
+            let at = surface.at(point.x, point.y);
+            painter.circle_filled(at, 4.5, tokens.accent);
+            painter.circle_stroke(at, 5.5, Stroke::new(1.5, tokens.panel));
+        }
+    }
+    let nearest = nearest(&surface, data.readings());
+    readings(&surface, data, cache, nearest, &tokens);
+    match nearest {
+        Some(index) => {
+            if response.clicked() {
+                link.calibrate = Some(index);
+            }
+            let response = response.on_hover_cursor(CursorIcon::PointingHand);
+            told(response, data, cache, index);
+        }
+        None => {
+            let value = surface.value();
+            if let (Some(load), Some(curve)) = (value, &cache.forces.curve)
+                && let Some(point) = curve.at(newtons(load))
+            {
+                link.hovering = Hovered::Pull(point.pull);
+                if response.clicked() {
+                    link.pull = Some(point.pull);
+                }
+            }
+        }
+    }
+    if data.readings().is_empty() || data.stiffness().is_none() {
+        action = action.or(missing(ui, data, &surface));
+    }
+    action
+}
+
+/// The curve's point at the pull that the pointer is on somewhere.
+fn twin<'a>(cache: &'a PlotCache, link: &Link) -> Option<&'a LoadPoint> {
+    let Hovered::Pull(pull) = link.hovered else {
+        return None;
+    };
+    let points = &cache.forces.curve.as_ref()?.points;
+    let after = points.partition_point(|point| point.pull < pull);
+    let found = points.get(after).or(points.last())?;
+    (points.first()?.pull <= pull).then_some(found)
+}
+
+/// What a plot without anything to show says; `None` where there is something.
+fn nothing(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> Option<Option<PlotAction>> {
+    let forces = &cache.forces;
+    let mut asked = None;
+    if data.stiffness().is_none() && data.readings().is_empty() {
+        let sentence = "Forces in grams need the backbone's stiffness or a force that was read.";
+        empty(ui, sentence, |ui| {
+            if ui.button("Set the stiffness").clicked() {
+                asked = Some(PlotAction::AskStiffness);
+            }
+            if ui.button("Add a reading").clicked() {
+                asked = Some(PlotAction::AskReading);
+            }
+        });
+        return Some(asked);
+    }
+    if data.readings().is_empty() {
+        match &forces.curve {
+            None => empty(ui, "The robot is being followed along its pull.", |_| {}),
+            Some(curve) if curve.contact.is_none() => {
+                empty(ui, "The robot presses on nothing along its pull.", |_| {});
+            }
+            Some(_) => return None,
+        }
+        return Some(None);
+    }
+    None
+}
+
+/// One line on what is outside the estimate's assumptions; the rest on hover.
+fn caveats(ui: &mut Ui, first: &str, cache: &PlotCache, tokens: &Tokens) {
+    let more = cache.forces.caveats.len() - 1;
+    let text = match more {
+        0 => first.to_owned(),
+        _ => format!("{first} And {more} more."),
+    };
+    let label = eframe::egui::Label::new(RichText::new(text).size(12.0).color(tokens.warning));
+    let response = ui.add(label.truncate());
+    if more > 0 {
+        response.on_hover_text(cache.forces.caveats.join("\n"));
+    }
+}
+
+fn curves(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> egui_plot::PlotResponse<()> {
+    let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
+    let forces = &cache.forces;
+    let abscissa = Quantities {
+        name: "Load on the cable, from contact on",
+        unit: "g",
+    };
+    let here = present(data, cache).map_or(0.0, |point| point.x);
+    let widest = forces.widest.max(1.1 * here).max(1e-6);
+    let mut highest = data
+        .readings()
+        .iter()
+        .map(|reading| reading.force_g)
+        .fold(0.0, f64::max);
+    for piece in &forces.total {
+        let seen = piece.iter().filter(|point| point.x <= widest);
+        highest = seen.map(|point| point.y).fold(highest, f64::max);
+    }
+    if let Some(force) = by_work(cache, widest) {
+        highest = highest.max(force);
+    }
+    let height = ui.available_height();
+    let plot = canvas("force", height, &abscissa, &tokens, Whole::No)
+        .set_margin_fraction(vec2(0.02, 0.04))
+        .include_x(0.0)
+        .include_x(widest)
+        .include_y(0.0)
+        .include_y(1.05 * highest.max(1e-6));
+    let work = by_work(cache, widest);
+    plot.show(ui, |plot| {
+        for piece in &forces.total {
+            // A branch that stiffens without bound must not set the scale.
+            let seen = piece.partition_point(|point| point.x <= widest);
+            let line = Line::new("multipliers", &piece[..seen]);
+            plot.line(line.stroke(Stroke::new(2.0, hue(theme, 0))));
+        }
+        if let Some(force) = work {
+            let ends = vec![[0.0, 0.0], [widest, force]];
+            let line = Line::new("virtual work", ends);
+            plot.line(line.stroke(Stroke::new(2.0, hue(theme, 1))));
+        }
+    })
+}
+
+/// The curves' names, beside their ends.
+fn names(ui: &Ui, surface: &Surface<'_>, data: &PlotData<'_>, cache: &PlotCache) {
+    let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
+    let right = surface.transform.bounds().max()[0];
+    let mut taken = None;
+    if let (Some(Ok(work)), Some(force)) = (&cache.forces.work, by_work(cache, right)) {
+        let ink = hue(theme, 1);
+        let friction = Quantity::fixed(work.friction(), 3, "").digits;
+        let text = Text::of("virtual work", ink).and(&format!("  μ = {friction}"), tokens.muted);
+        let at = surface.at(right, force) + vec2(-6.0, 6.0);
+        taken = Some(surface.name(at, Align2::RIGHT_TOP, text));
+    }
+    let totals = cache.forces.total.iter();
+    let value = totals
+        .filter_map(|piece| value_at(piece, 0.97 * right))
+        .last();
+    let last = cache.forces.total.last().and_then(|piece| piece.last());
+    let end = value
+        .map(|y| (0.97 * right, y))
+        .or(last.map(|point| (point.x, point.y)));
+    if let Some((x, y)) = end {
+        let text = Text::of("multipliers", hue(theme, 0));
+        let mut at = surface.at(x, y) + vec2(-6.0, -6.0);
+        if let Some(other) = taken
+            && other.expand(8.0).contains(at)
+        {
+            at.y = other.top() - 4.0;
+        }
+        surface.name(at, Align2::RIGHT_BOTTOM, text);
+    }
+    // Which obstacle takes how much, where there are several.
+    if let Some(curve) = &cache.forces.curve
+        && curve.obstacles.len() > 1
+        && let Some(point) = twin_or_here(data, cache)
+    {
+        let mut corner = surface.frame().left_top() + vec2(8.0, 6.0);
+        for (index, force) in curve.obstacles.iter().zip(&point.by_obstacle) {
+            let name = words::obstacle_of(data.scene, *index);
+            let shown = Quantity::fixed(grams(*force), 1, "g");
+            let text = Text::default().value(&name, &shown, &tokens);
+            let rect = surface.name(corner, Align2::LEFT_TOP, text);
+            corner = pos2(corner.x, rect.bottom());
+        }
+    }
+}
+
+/// The curve's point at the present pull.
+fn twin_or_here<'a>(data: &PlotData<'_>, cache: &'a PlotCache) -> Option<&'a LoadPoint> {
+    let points = &cache.forces.curve.as_ref()?.points;
+    let after = points.partition_point(|point| point.pull < data.solution.pull);
+    points.get(after).or(points.last())
+}
+
+/// The index of the reading that the pointer is on.
+fn nearest(surface: &Surface<'_>, readings: &[ForceReading]) -> Option<usize> {
+    let pointer = surface.pointer?;
+    let far = |reading: &ForceReading| {
+        surface
+            .at(reading.load_g, reading.force_g)
+            .distance(pointer)
+    };
+    let distances = readings.iter().map(far).enumerate();
+    let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    (nearest.1 <= NEAR).then_some(nearest.0)
+}
+
+/// What was read, each with the way to what theory says.
+fn readings(
+    surface: &Surface<'_>,
+    data: &PlotData<'_>,
+    cache: &PlotCache,
+    nearest: Option<usize>,
+    tokens: &Tokens,
+) {
+    for (index, reading) in data.readings().iter().enumerate() {
+        let at = surface.at(reading.load_g, reading.force_g);
+        let theory =
+            by_work(cache, reading.load_g).or_else(|| by_multipliers(cache, reading.load_g));
+        if let Some(theory) = theory {
+            let there = surface.at(reading.load_g, theory);
+            let ink = tokens.muted.gamma_multiply(0.8);
+            surface
+                .painter
+                .line_segment([at, there], Stroke::new(1.0, ink));
+        }
+        let radius = if nearest == Some(index) { 5.5 } else { 4.0 };
+        surface
+            .painter
+            .circle_filled(at, radius + 1.0, tokens.panel);
+        surface.painter.circle_filled(at, radius, tokens.text);
+        if data.calibration() == Some(index) {
+            let ring = Stroke::new(2.0, tokens.accent);
+            surface.painter.circle_stroke(at, radius + 3.5, ring);
+        }
+    }
+}
+
+/// What there is to say on a reading: a small table.
+fn told(response: Response, data: &PlotData<'_>, cache: &PlotCache, index: usize) {
+    let reading = data.readings()[index];
+    response.on_hover_ui_at_pointer(|ui| {
+        let shown = |value: f64| Quantity::fixed(value, 1, "g").text();
+        let title = format!(
+            "{} at a load of {}",
+            shown(reading.force_g),
+            shown(reading.load_g)
+        );
+        ui.label(RichText::new(title).size(12.0).strong());
+        eframe::egui::Grid::new("errors")
+            .num_columns(3)
+            .show(ui, |ui| {
+                let theories = [
+                    ("virtual work", by_work(cache, reading.load_g)),
+                    ("multipliers", by_multipliers(cache, reading.load_g)),
+                ];
+                for (name, theory) in theories {
+                    if let Some(theory) = theory {
+                        let error = theory - reading.force_g;
+                        let sign = if error > 0.05 { "+" } else { "" };
+                        ui.label(RichText::new(name).size(12.0).weak());
+                        ui.label(RichText::new(shown(theory)).size(12.0));
+                        ui.label(
+                            RichText::new(format!("{sign}{}", shown(error)))
+                                .size(12.0)
+                                .weak(),
+                        );
+                        ui.end_row();
+                    }
+                }
+            });
+        let text = if data.calibration() == Some(index) {
+            "Fixes μ of virtual work."
+        } else {
+            "Click to fix μ of virtual work by this reading."
+        };
+        ui.label(RichText::new(text).size(12.0).weak());
+    });
+}
+
+/// What would add the other of the two ways, as a quiet button in the corner.
+fn missing(ui: &mut Ui, data: &PlotData<'_>, surface: &Surface<'_>) -> Option<PlotAction> {
+    let (text, asked) = if data.stiffness().is_none() {
+        ("Set the stiffness", PlotAction::AskStiffness)
+    } else {
+        ("Add a reading", PlotAction::AskReading)
+    };
+    let frame = surface.frame();
+    let size = vec2(118.0, 22.0);
+    let corner = frame.right_bottom() - size - vec2(8.0, 8.0);
+    let rect = eframe::egui::Rect::from_min_size(corner, size);
+    let text = RichText::new(text).size(12.0).weak();
+    let button = eframe::egui::Button::new(text).frame_when_inactive(false);
+    ui.put(rect, button).clicked().then_some(asked)
+}
+
+pub(super) fn csv(
+    data: &PlotData<'_>,
+    cache: &PlotCache,
+    table: &mut csv::Writer<Vec<u8>>,
+) -> csv::Result<()> {
+    table.write_record(["source", "load_g", "force_g", "pull_mm", "obstacle"])?;
+    let mut row = |source: &str, load: f64, force: f64, pull: &str, obstacle: &str| {
+        let (load, force) = (load.to_string(), force.to_string());
+        table.write_record([source, load.as_str(), force.as_str(), pull, obstacle])
+    };
+    for reading in data.readings() {
+        row("measured", reading.load_g, reading.force_g, "", "")?;
+    }
+    for reading in data.readings() {
+        if let Some(force) = by_work(cache, reading.load_g) {
+            row("virtual work", reading.load_g, force, "", "")?;
+        }
+    }
+    if let Some(curve) = &cache.forces.curve {
+        for point in &curve.points {
+            let pull = millimetres(point.pull).to_string();
+            let load = grams(point.load);
+            row("multipliers", load, grams(point.total), &pull, "all")?;
+            for (index, force) in curve.obstacles.iter().zip(&point.by_obstacle) {
+                let on = words::obstacle_of(data.scene, *index);
+                row("multipliers", load, grams(*force), &pull, &on)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn charts(data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
+    let mut series = Vec::new();
+    let widest = cache.forces.widest;
+    for (index, piece) in cache.forces.total.iter().enumerate() {
+        let name = match index {
+            0 => "by multipliers".to_owned(),
+            jumps => format!("after {jumps} jumps"),
+        };
+        let seen = piece.iter().filter(|point| point.x <= widest);
+        series.push(Series::new(
+            name,
+            Mark::Line,
+            seen.map(|p| (p.x, p.y)).collect(),
+        ));
+    }
+    if let Some(force) = by_work(cache, widest) {
+        let ends = vec![(0.0, 0.0), (widest, force)];
+        series.push(Series::new("virtual work", Mark::Line, ends));
+    }
+    let read = data.readings().iter();
+    let read: Vec<_> = read.map(|r| (r.load_g, r.force_g)).collect();
+    if !read.is_empty() {
+        series.push(Series::new("measured", Mark::Dots, read));
+    }
+    vec![Chart {
+        title: "Force against load".to_owned(),
+        word: "force",
+        x: Axis::new("load on the cable, from contact on", "g"),
+        y: Axis::new("force on obstacles", "g"),
+        series,
+    }]
+}

@@ -1,0 +1,329 @@
+//! What all plots have in common: a header with names, a read-out and a menu,
+//! quiet axes with round numbers, and the way from values to the screen.
+
+use super::{Plot, PlotAction, PlotCache, PlotData, export};
+use crate::app::look::{Tokens, colour, icon_button, icons};
+use crate::view::{Quantity, Theme};
+use eframe::egui::text::LayoutJob;
+use eframe::egui::{
+    Align, Align2, Color32, FontFamily, FontId, Layout, Painter, Popup, Pos2, Rangef, Rect,
+    Response, RichText, Shape, Stroke, TextFormat, Ui, Vec2, WidgetInfo, pos2, vec2,
+};
+use egui_plot::{AxisHints, GridInput, GridMark, PlotPoint, PlotTransform};
+
+/// The size of all text on plots.
+pub(super) const SMALL: f32 = 12.0;
+/// Height of a header.
+const HEADER: f32 = 24.0;
+/// Height of the lowest plot that is drawn at all.
+const LOWEST: f32 = 56.0;
+
+/// A quantity on an axis: its name and its unit.
+#[derive(Clone, Debug)]
+pub(super) struct Quantities<'a> {
+    pub name: &'a str,
+    pub unit: &'a str,
+}
+
+/// The hue of a series, of Okabe and Ito's, as bright as the theme asks for:
+/// blue, vermilion, green.
+pub(super) fn hue(theme: Theme, series: usize) -> Color32 {
+    let hues: [u32; 3] = match theme {
+        Theme::Light => [0x0072b2, 0xc85200, 0x007f5f],
+        Theme::Dark => [0x56b4e9, 0xff8a3c, 0x2fd0a2],
+    };
+    let [_, r, g, b] = hues[series % hues.len()].to_be_bytes();
+    Color32::from_rgb(r, g, b)
+}
+
+/// The colour of a contact of this share of the greatest multiplier.
+pub(super) fn heat(theme: Theme, share: f64) -> Color32 {
+    colour(theme.contact(share))
+}
+
+/// Text in pieces of their own colours, at the plots' size.
+#[derive(Default)]
+pub(super) struct Text {
+    job: LayoutJob,
+}
+
+impl Text {
+    pub fn of(text: &str, ink: Color32) -> Self {
+        Self::default().and(text, ink)
+    }
+
+    pub fn and(mut self, text: &str, ink: Color32) -> Self {
+        let format = TextFormat::simple(FontId::new(SMALL, FontFamily::Proportional), ink);
+        self.job.append(text, 0.0, format);
+        self
+    }
+
+    /// An index, smaller and lower.
+    pub fn index(mut self, text: &str, ink: Color32) -> Self {
+        let mut format = TextFormat::simple(FontId::new(9.0, FontFamily::Proportional), ink);
+        format.valign = Align::BOTTOM;
+        self.job.append(text, 0.0, format);
+        self
+    }
+
+    /// A name in a muted voice, then a number, then its unit, muted.
+    pub fn value(self, name: &str, value: &Quantity, tokens: &Tokens) -> Self {
+        let apart = if self.job.is_empty() { "" } else { "   " };
+        let unit = match value.unit {
+            "" | "°" => value.unit.to_owned(),
+            unit => format!(" {unit}"),
+        };
+        self.and(&format!("{apart}{name} "), tokens.muted)
+            .and(&value.digits, tokens.text)
+            .and(&unit, tokens.muted)
+    }
+
+    pub fn job(mut self) -> LayoutJob {
+        self.job.wrap.max_rows = 1;
+        self.job
+    }
+}
+
+/// The header of a plot: what its ordinate is on the left, what the cursor
+/// reads on the right, and the menu of what can be saved.
+pub(super) fn header(
+    ui: &mut Ui,
+    plot: Plot,
+    data: &PlotData<'_>,
+    cache: &PlotCache,
+    ordinate: Text,
+    reading: Text,
+) -> Option<PlotAction> {
+    let mut action = None;
+    let size = vec2(ui.available_width(), HEADER);
+    let layout = Layout::right_to_left(Align::Center);
+    ui.allocate_ui_with_layout(size, layout, |ui| {
+        ui.spacing_mut().interact_size = Vec2::splat(HEADER);
+        let name = format!("Save the plot of {}", plot.title().to_lowercase());
+        let menu = icon_button(ui, icons::DOTS_THREE, &name);
+        Popup::menu(&menu).show(|ui| {
+            if ui.button("Export CSV").clicked() {
+                action = Some(saved(plot, "csv", export::csv(plot, data)));
+            }
+            if ui.button("Export SVG").clicked() {
+                let text = export::svg_from(plot, data, cache);
+                action = text.ok().map(|text| saved(plot, "svg", text));
+            }
+        });
+        // The read-out gives way where there is no room for both.
+        let ordinate = ui.painter().layout_job(ordinate.job());
+        let reading = ui.painter().layout_job(reading.job());
+        let rect = ui.available_rect_before_wrap();
+        let y = |height: f32| rect.center().y - 0.5 * height;
+        let ink = ui.visuals().text_color();
+        let name_end = rect.left() + ordinate.size().x;
+        let read_from = rect.right() - 4.0 - reading.size().x;
+        if read_from > name_end + 8.0 {
+            let at = pos2(read_from, y(reading.size().y));
+            ui.painter().galley(at, reading, ink);
+        }
+        let at = pos2(rect.left() + 4.0, y(ordinate.size().y));
+        ui.painter().galley(at, ordinate, ink);
+    });
+    action
+}
+
+fn saved(plot: Plot, extension: &'static str, text: String) -> PlotAction {
+    PlotAction::Save {
+        name: plot.word().to_owned(),
+        extension,
+        bytes: text.into_bytes(),
+    }
+}
+
+/// The name of an ordinate, its unit muted.
+pub(super) fn ordinate(of: &Quantities<'_>, tokens: &Tokens) -> Text {
+    let text = Text::of(of.name, tokens.text);
+    match of.unit {
+        "" => text,
+        unit => text.and(&format!("  {unit}"), tokens.muted),
+    }
+}
+
+/// What a plot that has nothing to draw says, in the middle of its room.
+pub(super) fn empty(ui: &mut Ui, sentence: &str, ways_out: impl FnOnce(&mut Ui)) {
+    let room = ui.available_size();
+    ui.allocate_ui_with_layout(room, Layout::top_down(Align::Center), |ui| {
+        ui.add_space((0.5 * room.y - 36.0).max(8.0));
+        ui.set_max_width(room.x.min(300.0).max(0.9 * room.x.min(300.0)));
+        ui.label(RichText::new(sentence).size(SMALL).weak());
+        ui.add_space(8.0);
+        ways_out(ui);
+    });
+}
+
+/// A plot of a height, without a legend, a crosshair or a frame: the primary
+/// button is left to cursors; the secondary one zooms, and so do pinching and
+/// the wheel with the command key.
+pub(super) fn canvas<'a>(
+    id: &'a str,
+    height: f32,
+    abscissa: &Quantities<'_>,
+    tokens: &Tokens,
+    whole: Whole,
+) -> egui_plot::Plot<'a> {
+    let font = FontId::new(SMALL, FontFamily::Proportional);
+    let hints = |hints: AxisHints<'a>| {
+        hints
+            .formatter(|mark, _| tick(mark))
+            .tick_label_color(tokens.muted)
+            .tick_label_font(font.clone())
+            .label_spacing(Rangef::new(1.0, 2.0))
+    };
+    let mut x = hints(AxisHints::new_x());
+    if !abscissa.name.is_empty() {
+        x = x.label(ordinate(abscissa, tokens).job());
+    }
+    egui_plot::Plot::new(id)
+        .height(height.max(LOWEST))
+        .custom_x_axes(vec![x])
+        .custom_y_axes(vec![hints(AxisHints::new_y()).min_thickness(44.0)])
+        .x_grid_spacer(move |input| round_marks(&input, 1.7, whole))
+        .y_grid_spacer(|input| round_marks(&input, 1.0, Whole::No))
+        .grid_spacing(Rangef::new(34.0, 68.0))
+        .grid_fade(0.0)
+        .grid_color(tokens.line)
+        .show_grid([false, true])
+        .show_background(false)
+        .show_crosshair(false)
+        .show_x(false)
+        .show_y(false)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_axis_zoom_drag(false)
+        .allow_double_click_reset(true)
+}
+
+/// Whether an axis counts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Whole {
+    Yes,
+    No,
+}
+
+/// Marks at round numbers, the finest of 1, 2 and 5 times a power of ten that
+/// leaves each `room` times the least room.
+fn round_marks(input: &GridInput, room: f64, whole: Whole) -> Vec<GridMark> {
+    let least = room * input.base_step_size;
+    if !(least > 0.0 && least.is_finite()) {
+        return Vec::new();
+    }
+    let power = 10f64.powf(least.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0]
+        .map(|factor| factor * power)
+        .into_iter()
+        .find(|step| *step > least * (1.0 + 1e-9));
+    let mut step = step.unwrap_or(10.0 * power);
+    if whole == Whole::Yes {
+        step = step.max(1.0);
+    }
+    let (first, last) = (input.bounds.0 / step, input.bounds.1 / step);
+    // A range far from zero has steps that rounding swallows.
+    if !(last - first < 1e3) || first.abs().max(last.abs()) > 1e12 {
+        return Vec::new();
+    }
+    (first.ceil() as i64..=last.floor() as i64)
+        .map(|k| GridMark {
+            value: k as f64 * step,
+            step_size: step,
+        })
+        .collect()
+}
+
+/// A round number as text, with a minus sign.
+fn tick(mark: GridMark) -> String {
+    let decimals = (-mark.step_size.log10().floor()).clamp(0.0, 9.0) as usize;
+    Quantity::fixed(mark.value, decimals, "").digits
+}
+
+/// What is painted on after a plot has found its scale.
+pub(super) struct Surface<'a> {
+    pub painter: &'a Painter,
+    pub transform: PlotTransform,
+    /// The pointer, while it is on the plot.
+    pub pointer: Option<Pos2>,
+}
+
+impl<'a> Surface<'a> {
+    pub fn of(painter: &'a Painter, response: &Response, transform: PlotTransform) -> Self {
+        Self {
+            painter,
+            transform,
+            pointer: response.hover_pos().or(response.interact_pointer_pos()),
+        }
+    }
+
+    pub fn frame(&self) -> Rect {
+        *self.transform.frame()
+    }
+
+    pub fn x(&self, value: f64) -> f32 {
+        self.transform.position_from_point_x(value)
+    }
+
+    pub fn y(&self, value: f64) -> f32 {
+        self.transform.position_from_point_y(value)
+    }
+
+    pub fn at(&self, x: f64, y: f64) -> Pos2 {
+        pos2(self.x(x), self.y(y))
+    }
+
+    /// The abscissa under the pointer.
+    pub fn value(&self) -> Option<f64> {
+        let pointer = self.pointer?;
+        Some(self.transform.value_from_position(pointer).x)
+    }
+
+    /// The line that ordinates are counted from, where it can be seen.
+    pub fn zero(&self, tokens: &Tokens) {
+        let y = self.y(0.0);
+        if self.frame().y_range().contains(y) {
+            let stroke = Stroke::new(1.0, tokens.muted.gamma_multiply(0.7));
+            self.painter.hline(self.frame().x_range(), y, stroke);
+        }
+    }
+
+    /// A dashed line: a model of what another curve shows.
+    pub fn dashed(&self, ends: [Pos2; 2], ink: Color32) {
+        let stroke = Stroke::new(1.25, ink);
+        self.painter
+            .extend(Shape::dashed_line(&ends, stroke, 5.0, 4.0));
+    }
+
+    /// Text beside a point of a curve, inside the frame.
+    pub fn name(&self, at: Pos2, anchor: Align2, text: Text) -> Rect {
+        let galley = self.painter.layout_job(text.job());
+        let frame = self.frame().shrink(2.0);
+        let size = galley.size();
+        let mut rect = anchor.anchor_size(at, size);
+        let shift = vec2(
+            (frame.right() - rect.right()).min(0.0) + (frame.left() - rect.left()).max(0.0),
+            (frame.bottom() - rect.bottom()).min(0.0) + (frame.top() - rect.top()).max(0.0),
+        );
+        rect = rect.translate(shift);
+        self.painter.galley(rect.min, galley, Color32::PLACEHOLDER);
+        rect
+    }
+}
+
+/// Gives a plot its name for those who do not see it.
+pub(super) fn named(response: &Response, name: &str) {
+    response.widget_info(|| WidgetInfo::labeled(eframe::egui::Role::Figure, true, name));
+}
+
+/// The value of a curve at an abscissa, straight between its points.
+pub(super) fn value_at(points: &[PlotPoint], x: f64) -> Option<f64> {
+    let after = points.partition_point(|point| point.x < x);
+    let b = points.get(after)?;
+    let Some(a) = after.checked_sub(1).map(|before| points[before]) else {
+        return (b.x == x).then_some(b.y);
+    };
+    let t = (x - a.x) / (b.x - a.x);
+    Some((1.0 - t) * a.y + t * b.y)
+}
