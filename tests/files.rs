@@ -119,7 +119,10 @@ fn a_saved_scene_is_reopened_as_it_was() {
     assert_eq!(*scene(&window), saved);
     let file = state(&window).document.file.as_deref();
     assert_eq!(file, Some(Path::new("/home/a/first.toml")));
-    assert_eq!(state(&window).files.recent, [Path::new("/home/a/first.toml")]);
+    assert_eq!(
+        state(&window).files.recent,
+        [Path::new("/home/a/first.toml")]
+    );
     // Undo does not lead to another scene under this file's name.
     ctrl(&mut window, Key::Z);
     assert_eq!(*scene(&window), saved);
@@ -147,10 +150,21 @@ fn a_broken_file_is_told_fault_by_fault_and_changes_nothing() {
     };
     check(
         "/home/a/broken.toml",
-        &["broken.toml cannot be opened", "2 faults", "length_mm is -180", "segments is 0"],
+        &[
+            "broken.toml cannot be opened",
+            "2 faults",
+            "length_mm is -180",
+            "segments is 0",
+        ],
     );
-    check("/home/a/text.toml", &["text.toml cannot be opened", "ine 2, column"]);
-    check("/home/a/large.toml", &["large.toml cannot be opened", "5.0 MB"]);
+    check(
+        "/home/a/text.toml",
+        &["text.toml cannot be opened", "ine 2, column"],
+    );
+    check(
+        "/home/a/large.toml",
+        &["large.toml cannot be opened", "5.0 MB"],
+    );
     // A way out: another file.
     drop_on(&mut window, &desk, "/home/a/text.toml");
     desk.answer(None);
@@ -189,7 +203,10 @@ fn unsaved_work_is_guarded() {
     ctrl(&mut window, Key::N);
     desk.answer(Some("/home/a/kept.toml"));
     press(&mut window, "Save");
-    assert_eq!(Scene::from_toml(&desk.text("/home/a/kept.toml")).unwrap(), first);
+    assert_eq!(
+        Scene::from_toml(&desk.text("/home/a/kept.toml")).unwrap(),
+        first
+    );
     assert_eq!(*scene(&window), empty);
     pull(&mut window, 2.0);
     ctrl(&mut window, Key::N);
@@ -202,11 +219,19 @@ fn a_window_with_unsaved_work_asks_before_it_closes() {
     let desk = Desk::default();
     let mut window = window(&desk);
     let close = |window: &mut Window| {
-        let root = window.input_mut().viewports.entry(ViewportId::ROOT).or_default();
+        let root = window
+            .input_mut()
+            .viewports
+            .entry(ViewportId::ROOT)
+            .or_default();
         root.events.push(ViewportEvent::Close);
         window.step();
         let commands = commands(window);
-        let root = window.input_mut().viewports.entry(ViewportId::ROOT).or_default();
+        let root = window
+            .input_mut()
+            .viewports
+            .entry(ViewportId::ROOT)
+            .or_default();
         root.events.clear();
         commands.contains(&ViewportCommand::CancelClose)
     };
@@ -259,9 +284,16 @@ fn a_crash_loses_nothing() {
 #[test]
 fn stored_nonsense_is_told_and_left_out() {
     let mut storage = Storage::default();
-    storage.0.insert("preferences".to_owned(), "(zoom: \"large\")".to_owned());
-    storage.0.insert("unsaved".to_owned(), "[(name: \"x\", file: None, scene: \"no\")]".to_owned());
-    storage.0.insert("recent".to_owned(), "[\"/home/a/b.toml\"]".to_owned());
+    storage
+        .0
+        .insert("preferences".to_owned(), "(zoom: \"large\")".to_owned());
+    storage.0.insert(
+        "unsaved".to_owned(),
+        "[(name: \"x\", file: None, scene: \"no\")]".to_owned(),
+    );
+    storage
+        .0
+        .insert("recent".to_owned(), "[\"/home/a/b.toml\"]".to_owned());
     let stored = Stored::of(Some(&storage));
     assert_eq!(stored.lost, ["your settings"]);
     assert_eq!(stored.recent, [Path::new("/home/a/b.toml")]);
@@ -334,14 +366,19 @@ fn a_measured_backbone_is_dropped_compared_and_fitted() {
     let desk = Desk::default();
     let mut window = window(&desk);
     let solution = state(&window).live.solution().unwrap();
-    let rows = solution.backbone().map(|point| format!("{},{}", 1e3 * point.x, 1e3 * point.y));
+    let rows = solution
+        .backbone()
+        .map(|point| format!("{},{}", 1e3 * point.x, 1e3 * point.y));
     let table = format!("x_mm,y_mm\n{}\n", rows.collect::<Vec<_>>().join("\n"));
     desk.put("/home/a/measured.csv", table);
     desk.put("/home/a/inches.csv", "x_mm,y_mm\n0,0\n0,600\n0,7000\n");
     desk.put("/home/a/forces.csv", "load_g,force_g\n100,6\n200,12.5\n");
     let measured_at = scene(&window).actuation.pull_mm;
     drop_on(&mut window, &desk, "/home/a/measured.csv");
-    assert!(says(&window, "Imported 19 points of a backbone from measured.csv"));
+    assert!(says(
+        &window,
+        "Imported 19 points of a backbone from measured.csv"
+    ));
     assert_eq!(state(&window).selection, Selection::Measured);
     assert!(says(&window, "0.00 mm"));
     pull(&mut window, 4.0);
@@ -371,7 +408,9 @@ fn png(width: u32, height: u32) -> Vec<u8> {
         image::Rgba([shade, shade, shade.saturating_sub(30), 255])
     });
     let mut bytes = std::io::Cursor::new(Vec::new());
-    picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+    picture
+        .write_to(&mut bytes, image::ImageFormat::Png)
+        .unwrap();
     bytes.into_inner()
 }
 
@@ -395,19 +434,28 @@ fn a_photograph_is_dropped_kept_beside_the_scene_and_found_again() {
     desk.put("/mnt/pictures/robot.png", png(640, 480));
     desk.remove("/home/a/pictures/robot.png");
     drop_on(&mut window, &desk, "/mnt/scene.toml");
-    assert_eq!(scene(&window).photo.as_ref().unwrap().file, "/mnt/pictures/robot.png");
+    assert_eq!(
+        scene(&window).photo.as_ref().unwrap().file,
+        "/mnt/pictures/robot.png"
+    );
     press(&mut window, "Photograph");
     assert!(says(&window, "robot.png, 640 × 480 pixels"));
     // Without the picture the scene opens all the same, and says so.
     drop_on(&mut window, &desk, "/home/a/scene.toml");
     press(&mut window, "Photograph");
-    assert!(says(&window, "robot.png is not shown. It is not there any more."));
+    assert!(says(
+        &window,
+        "robot.png is not shown. It is not there any more."
+    ));
     let place = scene(&window).photo.clone().unwrap();
     desk.answer(Some("/mnt/pictures/robot.png"));
     press(&mut window, "Choose the picture …");
     let found = scene(&window).photo.clone().unwrap();
     assert_eq!(found.file, "/mnt/pictures/robot.png");
-    assert_eq!((found.center_mm, found.width_mm), (place.center_mm, place.width_mm));
+    assert_eq!(
+        (found.center_mm, found.width_mm),
+        (place.center_mm, place.width_mm)
+    );
 }
 
 #[test]
@@ -429,7 +477,10 @@ fn a_huge_or_strange_picture_is_refused_with_its_numbers() {
     };
     check("/home/a/wide.png", ["wide.png cannot", "9000 × 1 pixels"]);
     check("/home/a/large.jpg", ["large.jpg cannot", "65.0 MB"]);
-    check("/home/a/cat.png", ["cat.png cannot", "neither a PNG nor a JPEG"]);
+    check(
+        "/home/a/cat.png",
+        ["cat.png cannot", "neither a PNG nor a JPEG"],
+    );
     drop_on(&mut window, &desk, "/home/a/notes.pdf");
     assert!(says(&window, "notes.pdf cannot be used here"));
     // Errors stay until they are dismissed.
@@ -457,7 +508,13 @@ fn two_points_give_a_photograph_its_scale() {
         window.run();
     }
     assert!(says(&window, "Type how far apart they are."));
-    let scaling = window.state_mut().state_mut().photos.scaling.as_mut().unwrap();
+    let scaling = window
+        .state_mut()
+        .state_mut()
+        .photos
+        .scaling
+        .as_mut()
+        .unwrap();
     scaling.distance_mm *= 2.0;
     window.run();
     press(&mut window, "Apply");
@@ -576,9 +633,17 @@ fn the_canvas_is_exported_as_svg_and_png() {
     ctrl_shift(&mut window, Key::E);
     let bytes = desk.get("/home/a/a.png").unwrap();
     let pixels = image::load_from_memory(&bytes).unwrap();
-    let width: u32 = picture.root_element().attribute("width").unwrap().parse().unwrap();
+    let width: u32 = picture
+        .root_element()
+        .attribute("width")
+        .unwrap()
+        .parse()
+        .unwrap();
     assert_eq!(pixels.width(), 2 * width);
-    assert_eq!(desk.offered(), ["two-discs-fig-4b.svg", "two-discs-fig-4b.png"]);
+    assert_eq!(
+        desk.offered(),
+        ["two-discs-fig-4b.svg", "two-discs-fig-4b.png"]
+    );
 }
 
 #[test]
@@ -648,10 +713,13 @@ fn every_sheet_can_be_drawn() {
             ctrl(&mut window, Key::N);
             save(&mut window, "guard");
             press(&mut window, "Cancel");
-            window.input_mut().hovered_files.push(eframe::egui::HoveredFile {
-                path: Some("/home/a/other.toml".into()),
-                mime: String::new(),
-            });
+            window
+                .input_mut()
+                .hovered_files
+                .push(eframe::egui::HoveredFile {
+                    path: Some("/home/a/other.toml".into()),
+                    mime: String::new(),
+                });
             window.run();
             save(&mut window, "drop");
         }
