@@ -44,7 +44,7 @@ fn contents(ui: &mut Ui, preferences: &mut Preferences) {
         let (least, most) = Preferences::ZOOMS;
         // Changing the size of the slider under the pointer would make it run
         // away: it is taken when the pointer lets go.
-        let id = ui.id().with("size");
+        let id = ui.scope_id().with("size");
         let held = ui.data(|data| data.get_temp::<f32>(id));
         let mut percent = held.unwrap_or(100.0 * preferences.zoom);
         let slider = Slider::new(&mut percent, 100.0 * least..=100.0 * most)
