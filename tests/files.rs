@@ -9,7 +9,7 @@ use eframe::egui::{
     Event, Key, Modifiers, OutputCommand, Theme, ViewportCommand, ViewportEvent, ViewportId, vec2,
 };
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT as _, Queryable};
+use egui_kittest::kittest::Queryable;
 use sinew::app::backend::Inline;
 use sinew::app::files::autosave::Stored;
 use sinew::app::{Preferences, Selection, Sinew, State, Views};
@@ -434,6 +434,7 @@ fn a_photograph_is_dropped_kept_beside_the_scene_and_found_again() {
     desk.put("/mnt/pictures/robot.png", png(640, 480));
     desk.remove("/home/a/pictures/robot.png");
     drop_on(&mut window, &desk, "/mnt/scene.toml");
+    assert_eq!(state(&window).selection, Selection::Nothing);
     assert_eq!(
         scene(&window).photo.as_ref().unwrap().file,
         "/mnt/pictures/robot.png"
@@ -528,16 +529,24 @@ fn a_link_holds_the_whole_scene() {
     let mut window = window(&desk);
     pull(&mut window, 3.125);
     let sent = scene(&window).clone();
-    window.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::C);
-    let mut link = None;
-    for _ in 0..4 {
-        window.step();
-        for command in &window.output().platform_output.commands {
-            if let OutputCommand::CopyText(text) = command {
-                link = Some(text.clone());
-            }
-        }
-    }
+    // Into one frame, whose output is looked at.
+    let modifiers = Modifiers::COMMAND | Modifiers::SHIFT;
+    let events = &mut window.input_mut().events;
+    events.push(Event::ModifiersChanged(modifiers));
+    events.push(Event::Key {
+        key: Key::C,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers,
+    });
+    events.push(Event::ModifiersChanged(Modifiers::NONE));
+    window.step();
+    let copied = &window.output().platform_output.commands;
+    let link = copied.iter().find_map(|command| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
     let link = link.unwrap();
     assert!(link.starts_with("sinew:#s1."), "{link}");
     let mut other = self::window(&desk);

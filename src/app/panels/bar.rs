@@ -6,7 +6,8 @@ use crate::app::commands::Command;
 use crate::app::look::{Tokens, icon, icon_button, icons, semibold};
 use crate::app::state::{State, Views};
 use eframe::egui::{
-    self, Align, Button, CornerRadius, Frame, Label, Layout, Margin, RichText, Ui, WidgetInfo, vec2,
+    Align, Button, Color32, FontId, Label, Layout, Rect, RichText, Role, Sense, Ui, Vec2,
+    WidgetInfo, vec2,
 };
 
 /// Below these widths, in points, the bar leaves out what can be reached
@@ -99,51 +100,40 @@ fn theme(ui: &mut Ui, state: &mut State) {
 
 /// The views, of which one is chosen.
 fn views(ui: &mut Ui, state: &mut State) {
+    const SIZE: Vec2 = vec2(46.0, 24.0);
     let tokens = Tokens::in_ui(ui);
-    Frame::new()
-        .fill(tokens.sunken)
-        .corner_radius(CornerRadius::same(7))
-        .inner_margin(Margin::same(2))
-        .show(ui, |ui| {
-            ui.spacing_mut().item_spacing.x = 2.0;
-            let layout = Layout::left_to_right(Align::Center);
-            ui.with_layout(layout, |ui| {
-                for (view, name, command) in [
-                    (Views::Plane, "2-D", Command::ViewPlane),
-                    (Views::Space, "3-D", Command::ViewSpace),
-                    (Views::Both, "Both", Command::ViewBoth),
-                ] {
-                    let current = state.preferences.views == view;
-                    let (fill, ink) = if current {
-                        (tokens.raised, tokens.text)
-                    } else {
-                        (egui::Color32::TRANSPARENT, tokens.muted)
-                    };
-                    let font = if current {
-                        semibold(12.0)
-                    } else {
-                        egui::FontId::proportional(12.0)
-                    };
-                    let text = RichText::new(name).font(font).color(ink);
-                    let button = Button::new(text)
-                        .fill(fill)
-                        .corner_radius(CornerRadius::same(5))
-                        .min_size(vec2(44.0, 24.0));
-                    let response = ui.add(button).on_hover_text(command.tip(ui.ctx()));
-                    response.widget_info(|| {
-                        WidgetInfo::selected(
-                            egui::Role::RadioButton,
-                            true,
-                            current,
-                            command.entry().title,
-                        )
-                    });
-                    if response.clicked() {
-                        state.commands.push(command);
-                    }
-                }
-            });
-        });
+    let views = [
+        (Views::Plane, "2-D", Command::ViewPlane),
+        (Views::Space, "3-D", Command::ViewSpace),
+        (Views::Both, "Both", Command::ViewBoth),
+    ];
+    let size = vec2(SIZE.x * views.len() as f32 + 4.0, SIZE.y + 4.0);
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    ui.painter().rect_filled(rect, 7.0, tokens.sunken);
+    let mut corner = rect.min + vec2(2.0, 2.0);
+    for (view, name, command) in views {
+        let current = state.preferences.views == view;
+        let (fill, ink, font) = if current {
+            (tokens.raised, tokens.text, semibold(12.0))
+        } else {
+            (
+                Color32::TRANSPARENT,
+                tokens.muted,
+                FontId::proportional(12.0),
+            )
+        };
+        let button = Button::new(RichText::new(name).font(font).color(ink))
+            .fill(fill)
+            .corner_radius(5.0);
+        let response = ui.put(Rect::from_min_size(corner, SIZE), button);
+        corner.x += SIZE.x;
+        let response = response.on_hover_text(command.tip(ui.ctx()));
+        let title = command.entry().title;
+        response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, current, title));
+        if response.clicked() {
+            state.commands.push(command);
+        }
+    }
 }
 
 /// The way to all commands, looking like the field that it leads to.
@@ -160,7 +150,7 @@ fn search(ui: &mut Ui, state: &mut State) {
         .fill(tokens.sunken)
         .min_size(vec2(176.0, 28.0));
     let response = ui.add(button).on_hover_text(entry.title);
-    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, entry.title));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, entry.title));
     if response.clicked() {
         state.commands.push(Command::Palette);
     }

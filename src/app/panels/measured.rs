@@ -54,7 +54,7 @@ fn backbone(ui: &mut Ui, state: &mut State, held: &Measurements) {
     );
     let length = state.live.problem().length();
     match measured::fit(state) {
-        Some(Ok(fit)) => distances(ui, fit, length),
+        Some(Ok(fit)) => distances(ui, "shown", fit, length),
         Some(Err(fault)) => {
             let colour = Tokens::in_ui(ui).warning;
             let told = crate::app::files::sentence(&fault.to_string());
@@ -68,8 +68,8 @@ fn backbone(ui: &mut Ui, state: &mut State, held: &Measurements) {
 }
 
 /// The paper's measure, in mm and as a share of the length.
-fn distances(ui: &mut Ui, fit: &ShapeFit, length: f64) {
-    Grid::new("distances")
+fn distances(ui: &mut Ui, of: &str, fit: &ShapeFit, length: f64) {
+    Grid::new(("distances", of))
         .num_columns(3)
         .spacing(vec2(12.0, 4.0))
         .show(ui, |ui| {
@@ -109,7 +109,7 @@ fn best(ui: &mut Ui, state: &mut State, length: f64) {
         Some(Ok(fit)) => {
             let pull = Quantity::fixed(millimetres(fit.pull), 2, "mm").text();
             ui.label(format!("Best pull {pull}"));
-            distances(ui, &fit, length);
+            distances(ui, "best", &fit, length);
             let there = state.document.scene.actuation.pull_mm == millimetres(fit.pull);
             ui.add_space(4.0);
             ui.add_enabled_ui(!there, |ui| {

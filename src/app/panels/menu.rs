@@ -5,7 +5,8 @@ use crate::app::files::shown;
 use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::platform::Errand;
 use crate::app::state::State;
-use eframe::egui::{Button, RichText, Ui, containers::menu::MenuButton};
+use eframe::egui::containers::menu::MenuButton;
+use eframe::egui::{Button, RichText, Role, Ui, WidgetInfo};
 
 /// Shows the menu's button, and the menu while it is open.
 pub fn show(ui: &mut Ui, state: &mut State) {
@@ -28,7 +29,9 @@ pub fn show(ui: &mut Ui, state: &mut State) {
             });
         }
     });
-    button.on_hover_text("Menu");
+    button
+        .on_hover_text("Menu")
+        .widget_info(|| WidgetInfo::labeled(Role::Button, true, "Menu"));
 }
 
 fn item(ui: &mut Ui, state: &mut State, command: Command) {

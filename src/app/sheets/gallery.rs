@@ -12,6 +12,7 @@ use crate::equilibrium::{Progress, Run, Settings, Start};
 use crate::geometry::Vector;
 use crate::model::Problem;
 use crate::view::{Bounds, Drawing, Frame, Notes, draw};
+use eframe::egui::emath::TSTransform;
 use eframe::egui::{
     Align, Context, CornerRadius, Layout, Rect, RichText, Sense, Stroke, StrokeKind, Ui, UiBuilder,
     Vec2, WidgetInfo, pos2, vec2,
@@ -29,6 +30,8 @@ const GAP: f32 = 16.0;
 const PICTURE: f32 = 0.68;
 /// Height of a card's words.
 const WORDS: f32 = 84.0;
+/// Size of a picture's lines over their usual size.
+const SCALE: f32 = 0.6;
 
 /// The pictures, as far as they are there.
 #[derive(Default)]
@@ -178,13 +181,7 @@ fn card(
     };
     ui.painter().rect_filled(window, upper, tokens.canvas);
     if let Some(Picture::There(drawing)) = picture {
-        let painter = ui.painter_at(window);
-        let inner = bounds(window.shrink(10.0));
-        let frame = Frame {
-            window: bounds(window),
-            ..Frame::fitting(&drawing.bounds, inner)
-        };
-        paint_drawing(&painter, drawing, &frame, theme_of(ui));
+        miniature(ui, drawing, window);
     }
     ui.painter()
         .rect_stroke(rect, radius, edge, StrokeKind::Inside);
@@ -200,6 +197,34 @@ fn card(
     let lesson = RichText::new(example.lesson).small().color(tokens.muted);
     inner.add(label(lesson).wrap());
     response
+}
+
+/// The picture as it would be in a larger window, made smaller with all of its
+/// lines and arrows.
+fn miniature(ui: &Ui, drawing: &Drawing, window: Rect) {
+    let large = Rect::from_min_size(window.min, window.size() / SCALE);
+    let corner = window.min.to_vec2();
+    let smaller = TSTransform::from_translation(corner)
+        * TSTransform::from_scaling(SCALE)
+        * TSTransform::from_translation(-corner);
+    // A card that is scrolled half out of sight is cut there.
+    let visible = ui.clip_rect().intersect(window);
+    let painter = ui.painter().with_clip_rect(smaller.inverse() * visible);
+    let inner = bounds(large.shrink(12.0));
+    let frame = Frame {
+        window: bounds(large),
+        ..Frame::fitting(&drawing.bounds, inner)
+    };
+    let next = |ui: &Ui| {
+        ui.ctx()
+            .graphics_mut(|all| all.entry(ui.layer_id()).next_idx())
+    };
+    let from = next(ui);
+    paint_drawing(&painter, drawing, &frame, theme_of(ui));
+    let to = next(ui);
+    ui.ctx().graphics_mut(|all| {
+        all.entry(ui.layer_id()).transform_range(from, to, smaller);
+    });
 }
 
 fn bounds(rect: Rect) -> Bounds {

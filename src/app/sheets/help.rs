@@ -6,8 +6,8 @@ use crate::app::commands::{ALL, Group};
 use crate::app::look::{Tokens, colour, semibold, theme_of};
 use crate::view::{Role, Standing};
 use eframe::egui::{
-    Color32, Context, Frame, Grid, Margin, Mesh, Pos2, Rect, RichText, Sense, Shape, Stroke, Ui,
-    pos2, vec2,
+    Color32, Context, Frame, Grid, Label, Margin, Mesh, Pos2, Rect, RichText, Sense, Shape, Stroke,
+    Ui, pos2, vec2,
 };
 
 /// The paper whose model this is.
@@ -16,6 +16,7 @@ const PAPER: &str = "The model is that of the paper “Profile and contact force
 
 pub(super) fn show(ctx: &Context) -> Stays {
     large(ctx, "help", "Help", (860.0, 640.0), |ui| {
+        ui.spacing_mut().interact_size.y = 20.0;
         model(ui);
         ui.add_space(20.0);
         let wide = ui.available_width() > 620.0;
@@ -103,10 +104,7 @@ fn colours(ui: &mut Ui) {
             Swatch::Line(tokens.accent, 2.0),
             "The cable, and whatever can be touched",
         ),
-        (
-            Swatch::Scale,
-            "Contacts: the brighter, the harder they press; 0 to the greatest λ",
-        ),
+        (Swatch::Scale, "Contacts: the brighter, the harder"),
         (
             Swatch::Line(tokens.muted.gamma_multiply(0.5), 3.0),
             "A shape that is not certified, with its reason",
@@ -115,9 +113,9 @@ fn colours(ui: &mut Ui) {
         (Swatch::Dot(tokens.error), "This has not worked"),
     ];
     for (swatch, meaning) in rows {
-        ui.horizontal(|ui| {
+        ui.horizontal_top(|ui| {
             swatch.show(ui);
-            ui.label(meaning);
+            ui.add(Label::new(meaning).wrap());
         });
     }
 }

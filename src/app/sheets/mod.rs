@@ -155,6 +155,8 @@ fn large(
         ui.add_space(8.0);
         ScrollArea::vertical()
             .max_height(height)
+            // Beyond what the first frame happened to leave.
+            .min_scrolled_height(height)
             .auto_shrink([false, true])
             .show(ui, |ui| {
                 // Room for the scroll bar.

@@ -177,23 +177,26 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
             ui.add_space(8.0);
         }
         let height = (0.6 * ui.ctx().content_rect().height()).min(12.0 * LINE);
-        ScrollArea::vertical().max_height(height).show(ui, |ui| {
-            ui.spacing_mut().item_spacing.y = 0.0;
-            for (index, line) in found.iter().enumerate() {
-                let chosen_by_keys = index == palette.line;
-                let response = row(ui, line, chosen_by_keys);
-                if chosen_by_keys && palette.line != before {
-                    response.scroll_to_me(None);
+        ScrollArea::vertical()
+            .max_height(height)
+            .min_scrolled_height(height)
+            .show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 0.0;
+                for (index, line) in found.iter().enumerate() {
+                    let chosen_by_keys = index == palette.line;
+                    let response = row(ui, line, chosen_by_keys);
+                    if chosen_by_keys && palette.line != before {
+                        response.scroll_to_me(None);
+                    }
+                    // A pointer that rests does not take the line from the keys.
+                    if response.hovered() && ui.input(|input| input.pointer.is_moving()) {
+                        palette.line = index;
+                    }
+                    if response.clicked() || (enter && chosen_by_keys) {
+                        chosen = Some(line.clone());
+                    }
                 }
-                // A pointer that rests does not take the line from the keys.
-                if response.hovered() && ui.input(|input| input.pointer.is_moving()) {
-                    palette.line = index;
-                }
-                if response.clicked() || (enter && chosen_by_keys) {
-                    chosen = Some(line.clone());
-                }
-            }
-        });
+            });
     });
     match chosen {
         Some(line) if line.enabled => {
