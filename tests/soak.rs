@@ -201,16 +201,16 @@ impl Window {
             }
             app.frame(ui);
         });
+        // Nobody draws.
+        output.textures_delta.clear();
         for clipped in &output.shapes {
             let finite = match &clipped.shape {
-                // A text without letters has no bounds.
-                Shape::Text(text) => text.pos.is_finite(),
+                // A text without letters is nowhere.
+                Shape::Text(text) => text.galley.text().is_empty() || text.pos.is_finite(),
                 shape => !shape.visual_bounding_rect().any_nan(),
             };
             assert!(finite, "{:?}", clipped.shape);
         }
-        // Nobody draws.
-        output.textures_delta.clear();
     }
 
     fn button(&mut self, button: PointerButton, pressed: bool) {
