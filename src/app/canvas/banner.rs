@@ -128,7 +128,8 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) {
                     let button = Button::new((icon(command.entry().icon), title));
                     let enabled = command.is_enabled(state);
                     let tip = command.tip(ui.ctx());
-                    if ui.add_enabled(enabled, button).on_hover_text(tip).clicked() {
+                    let response = ui.add_enabled(enabled, button).on_hover_text(tip);
+                    if response.accessible_name(title).clicked() {
                         state.commands.push(command);
                     }
                 }

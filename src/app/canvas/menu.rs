@@ -139,7 +139,8 @@ fn item(ui: &mut Ui, glyph: &str, title: &str, enabled: bool) -> bool {
     let button = Button::new((icon(glyph), title))
         .frame_when_inactive(false)
         .min_size(eframe::egui::vec2(ui.available_width(), 28.0));
-    ui.add_enabled(enabled, button).clicked()
+    let response = ui.add_enabled(enabled, button);
+    response.accessible_name(title).clicked()
 }
 
 fn command(ui: &mut Ui, state: &mut State, command: Command) {
@@ -150,7 +151,8 @@ fn command(ui: &mut Ui, state: &mut State, command: Command) {
     if let Some(keys) = &entry.shortcut {
         button = button.shortcut_text(ui.ctx().format_shortcut(keys));
     }
-    if ui.add_enabled(command.is_enabled(state), button).clicked() {
+    let response = ui.add_enabled(command.is_enabled(state), button);
+    if response.accessible_name(entry.title).clicked() {
         state.commands.push(command);
         ui.close();
     }

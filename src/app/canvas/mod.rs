@@ -56,6 +56,8 @@ pub struct Canvas {
     notice: Option<banner::Notice>,
     menu: Option<menu::Opened>,
     space: Space,
+    /// Whether Tab has selected everything in turn.
+    went_round: bool,
     /// Since when the shape is greyed, in seconds of the window's clock.
     stuck_since: Option<f64>,
     id: Option<egui::Id>,
@@ -77,6 +79,7 @@ impl Default for Canvas {
             notice: None,
             menu: None,
             space: Space::Up,
+            went_round: false,
             stuck_since: None,
             id: None,
             rect: Rect::NOTHING,
@@ -159,6 +162,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     } else {
         pointer::follow(&response, state, &frame, reach)
     };
+    state.take_edits(ui.ctx());
     picture(ui, state, &frame, rect, target, reach);
     overlays(ui, state, &frame, rect, &response);
     if response.has_focus() && response.ctx.input(|input| !input.pointer.has_pointer()) {

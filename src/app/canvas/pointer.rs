@@ -48,6 +48,12 @@ pub fn follow(response: &Response, state: &mut State, frame: &Frame, reach: Reac
     } else if response.drag_started_by(PointerButton::Middle) {
         state.canvas.gesture = Some(Gesture::view(state));
     }
+    if !response.dragged()
+        && !response.drag_stopped()
+        && let Some(gesture) = state.canvas.gesture.take()
+    {
+        gesture.end(state);
+    }
     let Some(mut gesture) = state.canvas.gesture.take() else {
         if response.hovered() {
             state.hovering = hit::hovered_at(state, frame, world, reach);
@@ -69,9 +75,12 @@ pub fn follow(response: &Response, state: &mut State, frame: &Frame, reach: Reac
         ctx.set_cursor_icon(hit::cursor(gesture.target(), shape, Held::Yes));
     }
     let target = gesture.target();
-    if response.drag_stopped() {
+    let held = ctx.input(|input| input.pointer.any_down());
+    if response.drag_stopped() && !held {
         gesture.end(state);
     } else {
+        // Escape stops a drag whose button is still held; it is a command's to
+        // take the drag back.
         state.canvas.gesture = Some(gesture);
     }
     target
