@@ -4,7 +4,9 @@
 
 mod window_harness;
 
-use eframe::egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, TouchPhase, vec2};
+use eframe::egui::{
+    Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Theme, TouchPhase, vec2,
+};
 use egui_kittest::kittest::Queryable;
 use sinew::app::{Hovered, Selection, Tool};
 use sinew::geometry::Vector;
@@ -337,7 +339,7 @@ fn a_polygon_is_drawn_vertex_by_vertex() {
     };
     // The dent is gone, and it is said.
     assert_eq!(points_mm.len(), 3);
-    assert!(window.state().canvas.told().unwrap().contains("hull"));
+    assert!(window.is_told("hull"));
     window.shoot("hull");
     // Escape draws nothing; two vertices enclose nothing.
     window.key(Key::P);
@@ -348,7 +350,7 @@ fn a_polygon_is_drawn_vertex_by_vertex() {
     window.click(window.at(100.0, 100.0));
     window.double_click(window.at(110.0, 110.0));
     assert_eq!(window.scene().obstacles.len(), 1);
-    assert!(window.state().canvas.told().unwrap().contains("three"));
+    assert!(window.is_told("three"));
 }
 
 #[test]
@@ -480,8 +482,12 @@ fn a_right_click_offers_what_can_be_done() {
     window.harness.event(Event::Text("block".to_owned()));
     window.harness.run();
     assert_eq!(window.scene().obstacles[0].name.as_deref(), Some("block"));
+    // Escape closes the menu; the block stays selected.
     window.key(Key::Escape);
+    assert!(window.harness.query_by_label("Name").is_none());
+    assert_eq!(window.state().selection, Selection::Obstacle(0));
     window.click_with(window.at(150.0, 20.0), PointerButton::Secondary);
+    window.shoot("menu-plane");
     window.harness.get_by_label("Add a capsule here").click();
     window.harness.run();
     assert!(matches!(window.shape(1), Shape::Capsule { .. }));
@@ -498,6 +504,52 @@ fn hints_are_gone_once_they_were_of_use() {
     let tip = window.tip();
     window.drag(&[tip, tip + vec2(20.0, 5.0)]);
     assert!(hints(&window).tip);
+}
+
+/// Where the solver takes its time, the view waits for the robot.
+#[test]
+fn the_view_fits_the_robot_that_comes_later() {
+    let slow = sinew::app::backend::Inline::sliced(std::time::Duration::ZERO);
+    let mut window = Window::with([1280.0, 800.0], Theme::Light, None, slow);
+    window.harness.run_steps(400);
+    assert!(window.state().live.is_settled());
+    // As large as one that was solved at once.
+    let expect = Window::open(None).state().canvas.frame();
+    assert_eq!(window.state().canvas.frame(), expect);
+    // A view that was moved stays.
+    window.drag(&[window.at(100.0, 30.0), window.at(80.0, 50.0)]);
+    let moved = window.state().canvas.frame();
+    window.click(window.at(33.0, 89.0));
+    window.key(Key::ArrowRight);
+    window.harness.run_steps(400);
+    assert_eq!(window.state().canvas.frame(), moved);
+}
+
+/// Pictures in both themes at the resolution of a good screen, to be looked at.
+#[test]
+fn handles_are_drawn_in_both_themes() {
+    for (theme, name) in [(Theme::Light, "light"), (Theme::Dark, "dark")] {
+        let shapes = [square(), disc_at(35.0, 60.0), turned_capsule()];
+        let mut window = Window::sized([1000.0, 700.0], theme, Some(scene(6.0, shapes)));
+        window.harness.set_pixels_per_point(2.0);
+        window.harness.run();
+        window.click(window.at(80.0, 90.0));
+        window.point(window.at(100.0, 110.0));
+        window.shoot(&format!("{name}-polygon"));
+        window.click(window.at(65.0, 140.0));
+        window.point(window.at(120.0, 20.0));
+        window.shoot(&format!("{name}-capsule"));
+        assert_eq!(window.state().selection, Selection::Obstacle(2));
+    }
+}
+
+fn turned_capsule() -> Shape {
+    Shape::Capsule {
+        center_mm: [65.0, 140.0],
+        length_mm: 30.0,
+        radius_mm: 5.0,
+        rotation_deg: 35.0,
+    }
 }
 
 /// A shape that is no certified equilibrium says why and offers ways out.

@@ -24,11 +24,18 @@ impl Window {
 
     /// A window of a size and a theme.
     pub fn sized(size: [f32; 2], theme: Theme, scene: Option<Scene>) -> Self {
+        let mut window = Self::with(size, theme, scene, Inline::to_the_end());
+        window.harness.run();
+        window
+    }
+
+    /// A window that is solved in its own way, which has not begun.
+    pub fn with(size: [f32; 2], theme: Theme, scene: Option<Scene>, backend: Inline) -> Self {
         let preferences = Preferences {
             theme: theme.into(),
             ..Preferences::default()
         };
-        let mut harness = Harness::builder()
+        let harness = Harness::builder()
             .with_size(vec2(size[0], size[1]))
             .with_pixels_per_point(1.0)
             .with_theme(theme)
@@ -37,10 +44,8 @@ impl Window {
             .wgpu()
             .build_eframe(move |cc| {
                 sinew::render::install(cc.wgpu_render_state.as_ref().unwrap());
-                let backend = Box::new(Inline::to_the_end());
-                Sinew::new(&cc.egui_ctx, scene, backend, preferences).unwrap()
+                Sinew::new(&cc.egui_ctx, scene, Box::new(backend), preferences).unwrap()
             });
-        harness.run();
         Self { harness }
     }
 
@@ -75,6 +80,12 @@ impl Window {
     pub fn tip(&self) -> Pos2 {
         let tip = self.state().live.solution().unwrap().tip().position;
         self.at(1e3 * tip.x, 1e3 * tip.y)
+    }
+
+    /// Whether something is being told that holds these words.
+    pub fn is_told(&self, words: &str) -> bool {
+        let mut notices = self.state().notices.iter();
+        notices.any(|notice| notice.text.contains(words))
     }
 
     /// Moves the pointer.

@@ -5,7 +5,7 @@ use super::handles::neat;
 use super::tools::{Tool, close_draft};
 use super::{Canvas, hit};
 use crate::app::commands::Command;
-use crate::app::state::{Selection, State};
+use crate::app::state::{Selection, State, Views};
 use crate::geometry::Vector;
 use crate::view::Frame;
 use eframe::egui::{Context, EventFilter, Key, Modifiers, Response};
@@ -34,8 +34,8 @@ pub enum Space {
 /// pointer is on it.
 pub fn hold_space(ctx: &Context, state: &mut State) {
     let pointer = ctx.input(|input| input.pointer.hover_pos());
-    let over = pointer.is_some_and(|at| state.canvas.rect.contains(at));
-    let over = over && !state.sheets.is_open();
+    let shown = state.preferences.views != Views::Space && !state.sheets.is_open();
+    let over = shown && pointer.is_some_and(|at| state.canvas.rect.contains(at));
     let canvas = &mut state.canvas;
     if over && is_ours(ctx, canvas) {
         let pressed = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Space));
@@ -92,8 +92,7 @@ pub fn follow(response: &Response, state: &mut State, frame: &Frame) {
 fn draw(ctx: &Context, state: &mut State) {
     let pressed = |key| ctx.input_mut(|input| input.consume_key(Modifiers::NONE, key));
     if pressed(Key::Enter) {
-        let now = ctx.input(|input| input.time);
-        close_draft(state, now);
+        close_draft(state);
     } else if pressed(Key::Backspace) {
         state.canvas.draft.pop();
     }

@@ -110,13 +110,12 @@ fn click(response: &Response, state: &mut State, frame: &Frame, under: Target, a
         return;
     }
     response.request_focus();
-    let now = response.ctx.input(|input| input.time);
     let twice = response.double_clicked_by(PointerButton::Primary);
     match state.canvas.tool {
         Tool::Select if twice => twice_on(state, frame, under, at),
         Tool::Select => select(state, under),
-        Tool::Polygon if twice => tools::close_draft(state, now),
-        Tool::Polygon => tools::add_to_draft(state, frame, at, now),
+        Tool::Polygon if twice => tools::close_draft(state),
+        Tool::Polygon => tools::add_to_draft(state, frame, at),
         tool => menu::add(state, tool, at, frame),
     }
 }
