@@ -14,7 +14,6 @@ use sinew::app::{Command, Preferences, Sinew};
 use sinew::equilibrium::Status;
 use sinew::model::Problem;
 use sinew::scene::{self, Scene};
-use sinew::view::Bounds;
 
 /// Runs, and things done in each: 20 000 in all.
 const RUNS: u32 = 20;
@@ -321,7 +320,7 @@ impl Window {
         }
         let drawing = state.live.drawing();
         for mark in &drawing.marks {
-            let points = mark.geometry.points(1e-4, &Bounds::EMPTY);
+            let points = mark.geometry.points(1e-4, &drawing.bounds);
             prop_assert!(points.iter().all(|p| p.x.is_finite() && p.y.is_finite()));
         }
         Ok(())
