@@ -4,6 +4,7 @@
 
 mod window_harness;
 
+use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Theme, TouchPhase, vec2,
 };
@@ -477,16 +478,19 @@ fn a_right_click_offers_what_can_be_done() {
     };
     assert_eq!(points_mm.len(), 5);
     window.click_with(window.at(90.0, 90.0), PointerButton::Secondary);
-    window.harness.get_by_label("Name").click();
+    window
+        .harness
+        .get_by_role_and_label(Role::TextInput, "Rename")
+        .click();
     window.harness.run();
     window.harness.event(Event::Text("block".to_owned()));
     window.harness.run();
     assert_eq!(window.scene().obstacles[0].name.as_deref(), Some("block"));
     // Escape closes the menu; the block stays selected.
     window.key(Key::Escape);
-    assert!(window.harness.query_by_label("Name").is_none());
+    assert!(window.harness.query_by_label("Add a vertex here").is_none());
     assert_eq!(window.state().selection, Selection::Obstacle(0));
-    window.click_with(window.at(150.0, 20.0), PointerButton::Secondary);
+    window.click_with(window.at(105.0, 20.0), PointerButton::Secondary);
     window.shoot("menu-plane");
     window.harness.get_by_label("Add a capsule here").click();
     window.harness.run();

@@ -296,6 +296,9 @@ impl State {
             .is_some_and(|index| index >= count)
         {
             self.selection = Selection::Nothing;
+            if self.refusal.is_some() {
+                self.panels.follow(self.selection);
+            }
         }
     }
 

@@ -27,7 +27,7 @@ const PULSE: f64 = 0.8;
 /// Widest banner, in points.
 const WIDEST: f32 = 760.0;
 /// In a narrower one the buttons are below the text, in points.
-const NARROW: f32 = 520.0;
+const NARROW: f32 = 580.0;
 
 /// Paints why an edit was taken back, beside the pointer, and forgets it when
 /// it was told long enough.
@@ -74,7 +74,7 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) {
     };
     let tokens = Tokens::in_ui(ui);
     let room = rect.width() - 2.0 * (super::tools::ROOM + 8.0);
-    let width = room.min(WIDEST).max(160.0);
+    let width = room.clamp(160.0, WIDEST);
     let top = rect.center_top() + vec2(-0.5 * width, 12.0);
     let builder = UiBuilder::new()
         .id_salt("banner")

@@ -55,7 +55,7 @@ pub fn show(response: &Response, state: &mut State, frame: &Frame) {
 
 fn of_obstacle(ui: &mut Ui, state: &mut State, index: usize, opened: Opened) {
     let obstacle = &mut state.document.scene.obstacles[index];
-    let label = ui.weak("Name");
+    let label = ui.weak("Rename");
     let mut name = obstacle.name.clone().unwrap_or_default();
     let field = TextEdit::singleline(&mut name)
         .hint_text(obstacle.shape.word())
