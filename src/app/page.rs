@@ -8,7 +8,12 @@ mod kept;
 mod options;
 
 use super::backend::{Arrived, Inline, SLICE, SolverBackend, Worker};
-use super::{Preferences, Sinew, link};
+use super::files::autosave::Stored;
+use super::files::{Arrival, Intent, faults_of, request, sentence};
+use super::notices::Notice;
+use super::platform::Web;
+use super::{Sinew, link};
+use crate::model::Problem;
 use crate::scene::Scene;
 use eframe::egui::{Context, Ui};
 use eframe::{CreationContext, WebRunner};
@@ -29,8 +34,6 @@ extern "C" {
     fn wants_stillness() -> bool;
     /// The window has its first frame.
     fn ready();
-    /// Something to be told.
-    fn told(sentence: &str);
     /// The window is over; with the scene file that it had open.
     fn crashed(why: &str, scene: &str);
 }
@@ -80,19 +83,23 @@ impl Page {
         }
         let ctx = &cc.egui_ctx;
         let fragment = cc.integration_info.web_info.location.hash.clone();
-        let scene = linked(&fragment);
+        let (scene, broken) = match linked(&fragment) {
+            Ok(scene) => (scene, None),
+            Err(why) => (None, Some(why)),
+        };
         let (backend, arrived) = backend(ctx);
-        let mut preferences = Preferences::default();
+        let mut stored = Stored::of(cc.storage);
+        let preferences = &mut stored.preferences;
+        preferences.still |= wants_stillness();
         if is_embedded() {
             preferences.outline = false;
             preferences.dock = false;
         }
-        let window = Sinew::new(ctx, scene, backend, preferences).map_err(|faults| {
-            let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
-            faults.join("; ")
-        })?;
-        if wants_stillness() {
-            ctx.all_styles_mut(|style| style.animation_time = 0.0);
+        let window = Sinew::new(ctx, scene, backend, preferences.clone());
+        let window = window.map_err(|faults| faults_of(&faults).join(" "))?;
+        let mut window = window.on(Box::new(Web::new(ctx)), stored);
+        if let Some(why) = broken {
+            window.state_mut().notices.tell(Notice::trouble(why));
         }
         #[cfg(feature = "web-test")]
         handle::watch(cc);
@@ -105,33 +112,34 @@ impl Page {
     }
 
     /// Opens the scene of a link that was put into the address.
-    fn follow(&mut self, fragment: &str) {
+    fn follow(&mut self, fragment: &str, ctx: &Context) {
         if self.fragment == fragment {
             return;
         }
         fragment.clone_into(&mut self.fragment);
-        if let Some(scene) = linked(fragment)
-            && let Err(faults) = self.window.state_mut().open(scene)
-        {
-            faults.iter().for_each(|fault| told(&fault.to_string()));
+        let state = self.window.state_mut();
+        match linked(fragment) {
+            Ok(Some(scene)) => {
+                let arrival = Box::new(Arrival::of(scene));
+                request(state, Intent::Scene(arrival), ctx);
+            }
+            Ok(None) => {}
+            Err(why) => state.notices.tell(Notice::trouble(why)),
         }
     }
 }
 
-/// The scene of a fragment, if there is one; tells what is wrong with it.
-fn linked(fragment: &str) -> Option<Scene> {
+/// The scene of a fragment, if there is one; or a sentence on what is wrong
+/// with it.
+fn linked(fragment: &str) -> Result<Option<Scene>, String> {
     if fragment.trim_start_matches('#').is_empty() {
-        return None;
+        return Ok(None);
     }
-    let scene = link::decode(fragment).map_err(|error| error.to_string());
-    let scene = scene.and_then(|scene| match crate::model::Problem::parse(&scene) {
-        Ok(_) => Ok(scene),
-        Err(faults) => {
-            let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
-            Err(faults.join("; "))
-        }
-    });
-    scene.map_err(|why| told(&why)).ok()
+    let scene = link::decode(fragment).map_err(|error| sentence(&error.to_string()))?;
+    match Problem::parse(&scene) {
+        Ok(_) => Ok(Some(scene)),
+        Err(faults) => Err(faults_of(&faults).join(" ")),
+    }
 }
 
 fn backend(ctx: &Context) -> (Box<dyn SolverBackend>, Option<Rc<Arrived>>) {
@@ -149,7 +157,7 @@ fn backend(ctx: &Context) -> (Box<dyn SolverBackend>, Option<Rc<Arrived>>) {
 impl eframe::App for Page {
     fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         let fragment = frame.info().web_info.location.hash.clone();
-        self.follow(&fragment);
+        self.follow(&fragment, ctx);
         self.window.logic(ctx, frame);
     }
 
@@ -160,6 +168,14 @@ impl eframe::App for Page {
         if self.frames == 1 {
             ready();
         }
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        self.window.save(storage);
+    }
+
+    fn auto_save_interval(&self) -> std::time::Duration {
+        self.window.auto_save_interval()
     }
 
     fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {

@@ -137,6 +137,8 @@ fn of_state(state: &State) -> Value {
         "path_states": live.path().map(|path| path.states.len()),
         "path_is_current": live.path_is_current(),
         "points_per_mm": state.canvas.frame().scale * metres(1.0),
+        "notices": state.notices.iter().map(|notice| &notice.text).collect::<Vec<_>>(),
+        "still": state.preferences.still,
         "undo": state.history.can_undo(scene),
     })
 }
