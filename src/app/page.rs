@@ -8,7 +8,7 @@ mod kept;
 mod options;
 
 use super::backend::{Arrived, Inline, SLICE, SolverBackend, Worker};
-use super::files::autosave::Stored;
+use super::files::autosave::{Stored, has_preferences};
 use super::files::{Arrival, Intent, faults_of, request, sentence};
 use super::notices::Notice;
 use super::platform::Web;
@@ -28,7 +28,8 @@ extern "C" {
     fn worker() -> Option<web_sys::Worker>;
     /// Whether WebGL is to be used even where there is WebGPU.
     fn wants_webgl() -> bool;
-    /// Whether the page is part of another one, which has the panels' room.
+    /// Whether the page is part of another one: then the panels are closed and
+    /// nothing is stored.
     fn is_embedded() -> bool;
     /// Whether nothing is to move by itself.
     fn wants_stillness() -> bool;
@@ -71,7 +72,7 @@ struct Page {
     window: Sinew,
     /// The fragment of the address that was opened last.
     fragment: String,
-    /// How the solver's worker is, where there is one.
+    /// How the solver's worker is, where there is one that goes on.
     arrived: Option<Rc<Arrived>>,
     frames: u64,
 }
@@ -88,9 +89,12 @@ impl Page {
             Err(why) => (None, Some(why)),
         };
         let (backend, arrived) = backend(ctx);
-        let mut stored = Stored::of(cc.storage);
+        let storage = cc.storage.filter(|_| !is_embedded());
+        let mut stored = Stored::of(storage);
         let preferences = &mut stored.preferences;
-        preferences.still |= wants_stillness();
+        if storage.is_none_or(|storage| !has_preferences(storage)) {
+            preferences.still = wants_stillness();
+        }
         if is_embedded() {
             preferences.outline = false;
             preferences.dock = false;
@@ -109,6 +113,20 @@ impl Page {
             arrived,
             frames: 0,
         })
+    }
+
+    /// Tells once where the solver's worker has failed.
+    fn watch_worker(&mut self) {
+        if self
+            .arrived
+            .as_ref()
+            .is_some_and(|arrived| arrived.has_failed())
+        {
+            self.arrived = None;
+            let told = "The solver's worker has stopped; the window solves by itself, if slower.";
+            let notices = &mut self.window.state_mut().notices;
+            notices.tell(Notice::information(told));
+        }
     }
 
     /// Opens the scene of a link that was put into the address.
@@ -158,11 +176,16 @@ impl eframe::App for Page {
     fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         let fragment = frame.info().web_info.location.hash.clone();
         self.follow(&fragment, ctx);
+        self.watch_worker();
         self.window.logic(ctx, frame);
     }
 
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
-        self.window.ui(ui, frame);
+        if is_embedded() {
+            self.window.frame(ui);
+        } else {
+            self.window.ui(ui, frame);
+        }
         kept::keep(&self.window.state().document.scene);
         self.frames += 1;
         if self.frames == 1 {
@@ -171,7 +194,9 @@ impl eframe::App for Page {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        self.window.save(storage);
+        if !is_embedded() {
+            self.window.save(storage);
+        }
     }
 
     fn auto_save_interval(&self) -> std::time::Duration {

@@ -92,9 +92,10 @@ pub fn sinew_panic() {
 
 fn of_page(page: &Page) -> Value {
     let mut value = of_state(page.window.state());
-    let solver = match &page.arrived {
-        Some(arrived) if !arrived.has_failed() => "worker",
-        _ => "inline",
+    let solver = if page.arrived.is_some() {
+        "worker"
+    } else {
+        "inline"
     };
     value["solver"] = json!(solver);
     value["frames"] = json!(page.frames);
