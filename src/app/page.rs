@@ -8,7 +8,12 @@ mod kept;
 mod options;
 
 use super::backend::{Arrived, Inline, SLICE, SolverBackend, Worker};
-use super::{Preferences, Sinew, link};
+use super::files::autosave::{Stored, has_preferences};
+use super::files::{Arrival, Intent, faults_of, request, sentence};
+use super::notices::Notice;
+use super::platform::Web;
+use super::{Sinew, link};
+use crate::model::Problem;
 use crate::scene::Scene;
 use eframe::egui::{Context, Ui};
 use eframe::{CreationContext, WebRunner};
@@ -23,14 +28,13 @@ extern "C" {
     fn worker() -> Option<web_sys::Worker>;
     /// Whether WebGL is to be used even where there is WebGPU.
     fn wants_webgl() -> bool;
-    /// Whether the page is part of another one, which has the panels' room.
+    /// Whether the page is part of another one: then the panels are closed and
+    /// nothing is stored.
     fn is_embedded() -> bool;
     /// Whether nothing is to move by itself.
     fn wants_stillness() -> bool;
     /// The window has its first frame.
     fn ready();
-    /// Something to be told.
-    fn told(sentence: &str);
     /// The window is over; with the scene file that it had open.
     fn crashed(why: &str, scene: &str);
 }
@@ -68,7 +72,7 @@ struct Page {
     window: Sinew,
     /// The fragment of the address that was opened last.
     fragment: String,
-    /// How the solver's worker is, where there is one.
+    /// How the solver's worker is, where there is one that goes on.
     arrived: Option<Rc<Arrived>>,
     frames: u64,
 }
@@ -80,19 +84,26 @@ impl Page {
         }
         let ctx = &cc.egui_ctx;
         let fragment = cc.integration_info.web_info.location.hash.clone();
-        let scene = linked(&fragment);
+        let (scene, broken) = match linked(&fragment) {
+            Ok(scene) => (scene, None),
+            Err(why) => (None, Some(why)),
+        };
         let (backend, arrived) = backend(ctx);
-        let mut preferences = Preferences::default();
+        let storage = cc.storage.filter(|_| !is_embedded());
+        let mut stored = Stored::of(storage);
+        let preferences = &mut stored.preferences;
+        if storage.is_none_or(|storage| !has_preferences(storage)) {
+            preferences.still = wants_stillness();
+        }
         if is_embedded() {
             preferences.outline = false;
             preferences.dock = false;
         }
-        let window = Sinew::new(ctx, scene, backend, preferences).map_err(|faults| {
-            let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
-            faults.join("; ")
-        })?;
-        if wants_stillness() {
-            ctx.all_styles_mut(|style| style.animation_time = 0.0);
+        let window = Sinew::new(ctx, scene, backend, preferences.clone());
+        let window = window.map_err(|faults| faults_of(&faults).join(" "))?;
+        let mut window = window.on(Box::new(Web::new(ctx)), stored);
+        if let Some(why) = broken {
+            window.state_mut().notices.tell(Notice::trouble(why));
         }
         #[cfg(feature = "web-test")]
         handle::watch(cc);
@@ -104,34 +115,49 @@ impl Page {
         })
     }
 
+    /// Tells once where the solver's worker has failed.
+    fn watch_worker(&mut self) {
+        if self
+            .arrived
+            .as_ref()
+            .is_some_and(|arrived| arrived.has_failed())
+        {
+            self.arrived = None;
+            let told = "The solver's worker has stopped; the window solves by itself, if slower.";
+            let notices = &mut self.window.state_mut().notices;
+            notices.tell(Notice::information(told));
+        }
+    }
+
     /// Opens the scene of a link that was put into the address.
-    fn follow(&mut self, fragment: &str) {
+    fn follow(&mut self, fragment: &str, ctx: &Context) {
         if self.fragment == fragment {
             return;
         }
         fragment.clone_into(&mut self.fragment);
-        if let Some(scene) = linked(fragment)
-            && let Err(faults) = self.window.state_mut().open(scene)
-        {
-            faults.iter().for_each(|fault| told(&fault.to_string()));
+        let state = self.window.state_mut();
+        match linked(fragment) {
+            Ok(Some(scene)) => {
+                let arrival = Box::new(Arrival::of(scene));
+                request(state, Intent::Scene(arrival), ctx);
+            }
+            Ok(None) => {}
+            Err(why) => state.notices.tell(Notice::trouble(why)),
         }
     }
 }
 
-/// The scene of a fragment, if there is one; tells what is wrong with it.
-fn linked(fragment: &str) -> Option<Scene> {
+/// The scene of a fragment, if there is one; or a sentence on what is wrong
+/// with it.
+fn linked(fragment: &str) -> Result<Option<Scene>, String> {
     if fragment.trim_start_matches('#').is_empty() {
-        return None;
+        return Ok(None);
     }
-    let scene = link::decode(fragment).map_err(|error| error.to_string());
-    let scene = scene.and_then(|scene| match crate::model::Problem::parse(&scene) {
-        Ok(_) => Ok(scene),
-        Err(faults) => {
-            let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
-            Err(faults.join("; "))
-        }
-    });
-    scene.map_err(|why| told(&why)).ok()
+    let scene = link::decode(fragment).map_err(|error| sentence(&error.to_string()))?;
+    match Problem::parse(&scene) {
+        Ok(_) => Ok(Some(scene)),
+        Err(faults) => Err(faults_of(&faults).join(" ")),
+    }
 }
 
 fn backend(ctx: &Context) -> (Box<dyn SolverBackend>, Option<Rc<Arrived>>) {
@@ -149,17 +175,32 @@ fn backend(ctx: &Context) -> (Box<dyn SolverBackend>, Option<Rc<Arrived>>) {
 impl eframe::App for Page {
     fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         let fragment = frame.info().web_info.location.hash.clone();
-        self.follow(&fragment);
+        self.follow(&fragment, ctx);
+        self.watch_worker();
         self.window.logic(ctx, frame);
     }
 
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
-        self.window.ui(ui, frame);
+        if is_embedded() {
+            self.window.frame(ui);
+        } else {
+            self.window.ui(ui, frame);
+        }
         kept::keep(&self.window.state().document.scene);
         self.frames += 1;
         if self.frames == 1 {
             ready();
         }
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        if !is_embedded() {
+            self.window.save(storage);
+        }
+    }
+
+    fn auto_save_interval(&self) -> std::time::Duration {
+        self.window.auto_save_interval()
     }
 
     fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {

@@ -8,7 +8,6 @@ const query = new URLSearchParams(location.search);
 const canvas = document.getElementById('canvas');
 const cover = document.getElementById('cover');
 const trouble = document.getElementById('trouble');
-const notice = document.getElementById('notice');
 
 /** Whether the page is part of another one. */
 const embedded = query.has('embed');
@@ -18,7 +17,8 @@ const worker = startWorker();
 
 let isReady = false;
 
-// What the window asks for and tells: see src/app/page.rs.
+// What the window asks for and tells: see src/app/page.rs and
+// src/app/platform/web.rs.
 globalThis.sinew_page = {
   canvas: () => canvas,
   worker: () => worker,
@@ -26,8 +26,9 @@ globalThis.sinew_page = {
   is_embedded: () => embedded,
   wants_stillness: () => matchMedia('(prefers-reduced-motion: reduce)').matches,
   ready,
-  told,
   crashed,
+  pick,
+  download: save,
 };
 
 function startWorker() {
@@ -48,16 +49,6 @@ function ready() {
   if (!embedded) canvas.focus({ preventScroll: true });
 }
 
-function told(sentence) {
-  notice.querySelector('p').textContent = sentence;
-  notice.hidden = false;
-}
-
-notice.querySelector('button').addEventListener('click', () => {
-  notice.hidden = true;
-  canvas.focus({ preventScroll: true });
-});
-
 /** Shows what went wrong, and ways out of it. */
 function crashed(why, scene) {
   // What follows from the first failure says less.
@@ -67,7 +58,7 @@ function crashed(why, scene) {
     ? 'This is a fault in the program. The scene can be saved to a file and opened again.'
     : 'Reloading the page may help.';
   show(title, what, why);
-  offer('.save', scene, (button) => button.addEventListener('click', () => save(scene)));
+  offer('.save', scene, (button) => button.addEventListener('click', () => save('saved-scene.toml', scene)));
   const isWebgl = query.get('renderer') === 'webgl';
   offer('.webgl', !isReady && !isWebgl, (link) => {
     const other = new URLSearchParams(query);
@@ -96,10 +87,25 @@ function offer(name, wanted, prepare) {
   element.hidden = false;
 }
 
-function save(scene) {
+/** Resolves to a file of the user's choice, or to nothing. */
+function pick(endings) {
+  const input = document.createElement('input');
+  input.type = 'file';
+  input.accept = endings;
+  return new Promise((resolve) => {
+    input.addEventListener('change', () => resolve(input.files[0]));
+    input.addEventListener('cancel', () => resolve(undefined));
+    input.click();
+  });
+}
+
+/** Hands a file to the browser's downloads. */
+function save(name, contents) {
   const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([scene], { type: 'application/toml' }));
-  link.download = 'saved-scene.toml';
+  // What is in the program's memory changes.
+  const parts = typeof contents === 'string' ? contents : contents.slice();
+  link.href = URL.createObjectURL(new Blob([parts]));
+  link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }

@@ -92,9 +92,10 @@ pub fn sinew_panic() {
 
 fn of_page(page: &Page) -> Value {
     let mut value = of_state(page.window.state());
-    let solver = match &page.arrived {
-        Some(arrived) if !arrived.has_failed() => "worker",
-        _ => "inline",
+    let solver = if page.arrived.is_some() {
+        "worker"
+    } else {
+        "inline"
     };
     value["solver"] = json!(solver);
     value["frames"] = json!(page.frames);
@@ -137,6 +138,8 @@ fn of_state(state: &State) -> Value {
         "path_states": live.path().map(|path| path.states.len()),
         "path_is_current": live.path_is_current(),
         "points_per_mm": state.canvas.frame().scale * metres(1.0),
+        "notices": state.notices.iter().map(|notice| &notice.text).collect::<Vec<_>>(),
+        "still": state.preferences.still,
         "undo": state.history.can_undo(scene),
     })
 }
