@@ -227,12 +227,12 @@ mod tests {
             "12 13",
             "1e",
             "e5",
-            "0x10",
             "½",
         ] {
             check(length, text, Typo::NoNumber(length, text.to_owned()));
         }
         check(length, "5 ft", Typo::NoUnit(length, "ft".to_owned()));
+        check(length, "0x10", Typo::NoUnit(length, "x10".to_owned()));
         check(length, "5 rad", Typo::NoUnit(length, "rad".to_owned()));
         check(
             Kind::Angle,

@@ -343,8 +343,8 @@ impl<'a> Form<'a> {
             ui.horizontal(|ui| {
                 let label = name(ui, called, "");
                 beside(ui, |ui| {
-                    let (_, rect) = ui.allocate_space(vec2(UNIT, HEIGHT));
-                    unit(ui, rect, "");
+                    ui.spacing_mut().item_spacing.x = 4.0;
+                    ui.allocate_space(vec2(UNIT, HEIGHT));
                     let current = choices.iter().find(|(choice, _)| *choice == *value);
                     let current = current.map_or("", |(_, word)| word.as_str());
                     let combo = egui::ComboBox::from_id_salt("choice")

@@ -102,6 +102,7 @@ fn disks(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
 
 /// Whether the rim follows the cable offset: a link that can be undone.
 fn follow(ui: &mut Ui, follows: &mut bool) {
+    ui.spacing_mut().button_padding = Vec2::ZERO;
     let tokens = Tokens::in_ui(ui);
     let ink = if *follows {
         tokens.accent

@@ -28,7 +28,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
         .collapsible(false)
         .resizable([false, true])
         .default_width(WIDTH)
-        .default_height(640.0_f32.min(screen.height() - 160.0))
+        .default_height(960.0_f32.min(screen.height() - 160.0))
         .pivot(Align2::RIGHT_BOTTOM)
         .default_pos(screen.right_bottom() - vec2(12.0, 60.0));
     window.show(ui.ctx(), |ui| {
