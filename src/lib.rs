@@ -55,6 +55,10 @@
 //! - `app`: the window. With the feature `app`.
 //! - `cli`: the command line. With the feature `cli`; both are on by default.
 //!
+//! The programs over them are thin: `src/main.rs`, and in `src/web` the page's
+//! and its solver's, which `web/build` makes. `web/` holds the page around
+//! them, the tool that bundles it, and its tests.
+//!
 //! # Invariants
 //!
 //! Mostly absences; `tests/layers.rs` holds the first four.

@@ -24,10 +24,11 @@ const LAYERS: &[(&str, u32)] = &[
     ("render", 9),
     ("app", 10),
     ("cli", 10),
+    ("web", 11),
 ];
 
 /// The layers that may do what [`TOP_ONLY`] lists.
-const TOP: &[&str] = &["app", "cli"];
+const TOP: &[&str] = &["app", "cli", "web"];
 
 /// Below the top: no IO, no clock, no thread, no order that changes from run
 /// to run.

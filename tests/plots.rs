@@ -418,7 +418,6 @@ fn the_menu_saves_files() {
         assert_eq!(String::from_utf8(csv.clone()).unwrap(), expected);
         assert_eq!((name.as_str(), *extension), (plot.word(), "svg"));
         let svg = String::from_utf8(svg.clone()).unwrap();
-        std::fs::write(format!("/tmp/path-pictures/{}.svg", plot.word()), &svg).unwrap();
         let document = roxmltree::Document::parse(&svg).unwrap();
         let drawn = document.descendants().filter(|node| node.is_element());
         assert!(drawn.count() > 20, "{plot:?}");
@@ -468,11 +467,7 @@ fn tables_hold_the_numbers_themselves() {
     let expected: Vec<f64> = path.states.iter().map(|state| state.energy).collect();
     assert_eq!(energies, expected);
     let events = column(&table, "event");
-    assert!(
-        events
-            .iter()
-            .any(|event| event.contains("begins to press on load cell"))
-    );
+    assert!(events.iter().any(|event| event.contains("load cell")));
 
     // Virtual work goes through the reading that fixes it.
     let table = plots::csv(Plot::Force, &data);

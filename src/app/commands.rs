@@ -8,7 +8,7 @@ pub use run::run;
 use super::canvas::Tool;
 use super::look::icons;
 use super::state::{Selection, State};
-use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, Popup};
+use eframe::egui::{Context, Id, Key, KeyboardShortcut, Modifiers, Popup};
 
 /// Something the user can ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -264,9 +264,14 @@ impl Command {
 }
 
 /// The commands whose keys were pressed. Keys without Ctrl count only while no
-/// text is being written, and Escape closes an open menu first.
+/// text is being written, and Escape first closes an open menu or leaves a field.
 pub fn pressed(ctx: &Context) -> Vec<Command> {
     let writing = ctx.text_edit_focused();
+    // Escape has already taken the focus from a field, which is to see the key.
+    let was_writing = ctx.data_mut(|data| {
+        let known = data.get_temp_mut_or_default::<bool>(Id::unique("writing"));
+        std::mem::replace(known, writing)
+    });
     let menu = Popup::is_any_open(ctx);
     let listed = ALL.iter().map(|entry| (entry.command, entry.shortcut));
     let mut keys: Vec<_> = listed.chain(ALIASES.iter().copied()).collect();
@@ -277,7 +282,7 @@ pub fn pressed(ctx: &Context) -> Vec<Command> {
         for (command, keys) in keys {
             if let Some(keys) = &keys
                 && (keys.modifiers.command || !writing)
-                && !(menu && keys.logical_key == Key::Escape)
+                && !((menu || was_writing) && keys.logical_key == Key::Escape)
                 && input.consume_shortcut(keys)
             {
                 found.push(command);

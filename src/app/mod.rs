@@ -20,6 +20,8 @@ mod live;
 pub mod look;
 mod measured;
 mod notices;
+#[cfg(all(target_arch = "wasm32", feature = "web"))]
+pub mod page;
 pub mod panels;
 mod photo;
 pub mod platform;

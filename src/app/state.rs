@@ -271,9 +271,10 @@ impl State {
         }
     }
 
-    /// At the end of a frame: takes the scene as it has become, and asks for
-    /// its shape.
-    pub fn settle(&mut self, ctx: &Context) {
+    /// Takes the scene as it has become and asks for its shape or, if it cannot
+    /// be solved, takes the last change back. What is painted after this shows
+    /// what was done before it in the same frame.
+    pub fn take_edits(&mut self, ctx: &Context) {
         match self.document.settle() {
             Settled::Unchanged => {}
             Settled::Changed => {
@@ -295,7 +296,16 @@ impl State {
             .is_some_and(|index| index >= count)
         {
             self.selection = Selection::Nothing;
+            if self.refusal.is_some() {
+                self.panels.follow(self.selection);
+            }
         }
+    }
+
+    /// At the end of a frame: takes what was done in it, as a step of undo if
+    /// it is over.
+    pub fn settle(&mut self, ctx: &Context) {
+        self.take_edits(ctx);
         let gesture = self.gesture(ctx);
         self.history.observe(&self.document.scene, gesture);
         if self.hovering != self.hovered {

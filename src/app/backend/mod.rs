@@ -1,13 +1,18 @@
-//! Where live solving happens: on a thread of its own, or between frames. The
-//! window never waits: it asks [`SolverBackend::poll`] once a frame.
+//! Where live solving happens: on a thread or in a worker of its own, or
+//! between frames. The window never waits: it asks [`SolverBackend::poll`]
+//! once a frame.
 
 mod inline;
 #[cfg(not(target_arch = "wasm32"))]
 mod thread;
+#[cfg(all(target_arch = "wasm32", feature = "web"))]
+mod worker;
 
 pub use inline::Inline;
 #[cfg(not(target_arch = "wasm32"))]
 pub use thread::Thread;
+#[cfg(all(target_arch = "wasm32", feature = "web"))]
+pub use worker::{Arrived, SLICE, Worker};
 
 use crate::solving::{Job, Request, Update, Work};
 use web_time::{Duration, Instant};

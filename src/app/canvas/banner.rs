@@ -2,18 +2,19 @@
 //! are no certified equilibria, and where those got stuck.
 
 use super::tools::raised;
-use super::{Canvas, chip, to_screen};
+use super::{chip, to_screen};
 use crate::app::commands::Command;
 use crate::app::live::Live;
 use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::state::State;
+use crate::app::words;
 use crate::equilibrium::{Solution, Status};
 use crate::geometry::Vector;
 use crate::model::{Line, Problem};
 use crate::view::{Frame, Standing};
 use eframe::egui::{
-    Align, Button, Color32, Layout, Painter, Pos2, Rect, RichText, Sense, Stroke, Ui, UiBuilder,
-    pos2, vec2,
+    Align, Button, Color32, Label, Layout, Painter, Pos2, Rect, RichText, Sense, Stroke, Ui,
+    UiBuilder, pos2, vec2,
 };
 use std::time::Duration;
 
@@ -24,66 +25,28 @@ const PULSING: f64 = 2.4;
 /// Length of a pulse, in seconds.
 const PULSE: f64 = 0.8;
 /// Widest banner, in points.
-const WIDEST: f32 = 620.0;
+const WIDEST: f32 = 760.0;
+/// In a narrower one the buttons are below the text, in points.
+const NARROW: f32 = 580.0;
 
-/// A remark on what was done.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Notice {
-    text: &'static str,
-    at: f64,
-}
-
-impl Canvas {
-    /// Tells something for a few seconds, from a time of the window's clock.
-    pub fn tell(&mut self, text: &'static str, now: f64) {
-        self.notice = Some(Notice { text, at: now });
-    }
-
-    /// What is being told.
-    pub fn told(&self) -> Option<&str> {
-        self.notice.as_ref().map(|notice| notice.text)
-    }
-}
-
-/// Paints what is being told, and forgets what was told long enough.
-pub fn messages(ui: &Ui, painter: &Painter, state: &mut State, rect: Rect, pointer: Option<Pos2>) {
-    let tokens = Tokens::in_ui(ui);
-    let now = ui.input(|input| input.time);
-    let told = |at: f64| {
-        let left = TOLD_FOR - (now - at);
-        if left > 0.0 {
-            let later = Duration::from_secs_f64(left);
-            ui.ctx().request_repaint_after(later);
-        }
-        left > 0.0
+/// Paints why an edit was taken back, beside the pointer, and forgets it when
+/// it was told long enough.
+pub fn refusal(ui: &Ui, painter: &Painter, state: &mut State, rect: Rect, pointer: Option<Pos2>) {
+    let Some(refusal) = &state.refusal else {
+        return;
     };
-    if state
-        .refusal
-        .as_ref()
-        .is_some_and(|refusal| !told(refusal.at))
-    {
+    let left = TOLD_FOR - (ui.input(|input| input.time) - refusal.at);
+    if left <= 0.0 {
         state.refusal = None;
+        return;
     }
-    let canvas = &mut state.canvas;
-    if canvas
-        .notice
-        .as_ref()
-        .is_some_and(|notice| !told(notice.at))
-    {
-        canvas.notice = None;
-    }
+    ui.ctx()
+        .request_repaint_after(Duration::from_secs_f64(left));
     let corner = pos2(rect.left() + super::tools::ROOM + 8.0, rect.top() + 12.0);
-    let mut at = pointer.map_or(corner, |pointer| pointer + vec2(18.0, 52.0));
-    if let Some(refusal) = &state.refusal {
-        let faults: Vec<String> = refusal.faults.iter().map(ToString::to_string).collect();
-        let text = format!("Taken back: {}", faults.join("; "));
-        let area = chip::warning(painter, rect, at, &text, &tokens);
-        at = area.left_bottom() + vec2(0.0, 8.0);
-    }
-    if let Some(notice) = &canvas.notice {
-        let mark = (icons::INFO, tokens.accent);
-        chip::marked(painter, rect, at, mark, notice.text, &tokens);
-    }
+    let at = pointer.map_or(corner, |pointer| pointer + vec2(18.0, 52.0));
+    let faults: Vec<String> = refusal.faults.iter().map(words::refusal).collect();
+    let text = format!("Taken back. {}", faults.join(" "));
+    chip::warning(painter, rect, at, &text, &Tokens::in_ui(ui));
 }
 
 /// Whether there is a shape that is greyed for what it is, not because it is
@@ -102,46 +65,62 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) {
     let Standing::Greyed { what, reason } = state.live.drawing().standing.clone() else {
         return;
     };
+    // A certified shape short of its goal has its reason in better words.
+    let reason = match state.live.solution() {
+        Some(solution) if solution.status != Status::Converged => {
+            words::outcome(solution, &state.document.scene)
+        }
+        _ => words::sentence(&reason),
+    };
     let tokens = Tokens::in_ui(ui);
     let room = rect.width() - 2.0 * (super::tools::ROOM + 8.0);
-    let width = room.min(WIDEST).max(160.0);
+    let width = room.clamp(160.0, WIDEST);
     let top = rect.center_top() + vec2(-0.5 * width, 12.0);
     let builder = UiBuilder::new()
         .id_salt("banner")
-        .max_rect(Rect::from_min_size(top, vec2(width, 160.0)))
+        .max_rect(Rect::from_min_size(top, vec2(width, 44.0)))
         .layout(Layout::top_down(Align::Min))
         .sense(Sense::click_and_drag());
     ui.scope_builder(builder, |ui| {
-        raised(&tokens, 10).show(ui, |ui| {
-            ui.horizontal_wrapped(|ui| {
-                ui.label(icon(icons::WARNING).color(tokens.warning));
-                ui.label(RichText::new(what).font(semibold(14.0)));
-                ui.weak("The shape shown is the last one that holds.");
-            });
-            ui.label(format!("{}.", sentence(&reason)));
-            ui.add_space(4.0);
-            ui.horizontal_wrapped(|ui| {
-                for (command, title) in [
-                    (Command::Undo, "Undo"),
-                    (Command::FromStraight, "Start from straight"),
-                ] {
-                    let button = Button::new((icon(command.entry().icon), title));
-                    let enabled = command.is_enabled(state);
-                    let tip = command.tip(ui.ctx());
-                    if ui.add_enabled(enabled, button).on_hover_text(tip).clicked() {
-                        state.commands.push(command);
-                    }
-                }
-            });
+        raised(&tokens, 8).show(ui, |ui| {
+            let wide = width > NARROW;
+            if wide {
+                // The buttons first, so that the text knows what is left.
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    actions(ui, state);
+                    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                        reasons(ui, what, &reason, &tokens);
+                    });
+                });
+            } else {
+                ui.horizontal_wrapped(|ui| reasons(ui, what, &reason, &tokens));
+                ui.horizontal_wrapped(|ui| actions(ui, state));
+            }
         });
     });
 }
 
-fn sentence(reason: &str) -> String {
-    let mut letters = reason.chars();
-    match letters.next() {
-        Some(first) => first.to_uppercase().chain(letters).collect(),
-        None => String::new(),
+fn reasons(ui: &mut Ui, what: &str, reason: &str, tokens: &Tokens) {
+    ui.label(icon(icons::WARNING).color(tokens.warning));
+    ui.label(RichText::new(what).font(semibold(14.0)))
+        .on_hover_text("The shape shown is the last one that holds.");
+    let reason = RichText::new(reason);
+    ui.add(Label::new(reason.small().color(tokens.muted)).wrap());
+}
+
+/// The ways out.
+fn actions(ui: &mut Ui, state: &mut State) {
+    for (command, title) in [
+        (Command::FromStraight, "Start from straight"),
+        (Command::Undo, "Undo"),
+    ] {
+        let button = Button::new((icon(command.entry().icon), title));
+        let enabled = command.is_enabled(state);
+        let tip = command.tip(ui.ctx());
+        let response = ui.add_enabled(enabled, button).on_hover_text(tip);
+        if response.accessible_name(title).clicked() {
+            state.commands.push(command);
+        }
     }
 }
 

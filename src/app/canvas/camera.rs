@@ -26,6 +26,11 @@ impl Camera {
         self.fit = true;
     }
 
+    /// Whether the user has moved the view since it was fitted.
+    pub fn is_moved(&self) -> bool {
+        self.moved
+    }
+
     /// Looks through a window on the screen; the first time, or when asked to,
     /// at all of `bounds`, beside what covers the window's `left` edge.
     pub fn place(&mut self, window: Rect, left: f32, bounds: &Bounds) {

@@ -46,7 +46,7 @@ impl Hints {
         {
             let at = to_screen(frame, tip.position);
             if within.contains(at) {
-                let at = at + vec2(-132.0, -14.0);
+                let at = at + vec2(16.0, -34.0);
                 chip::marked(painter, within, at, mark, "Drag the tip to pull", tokens);
             }
         }

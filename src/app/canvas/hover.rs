@@ -41,7 +41,17 @@ pub fn paint(
         );
     };
     match hovered {
-        Hovered::Nothing | Hovered::Pull(_) => {}
+        Hovered::Nothing => {}
+        Hovered::Pull(pull) => {
+            let path = state.live.path();
+            if let Some(then) = path.and_then(|path| path.at(pull)) {
+                let at = to_screen(frame, then.tip.position);
+                ring(at, 6.0);
+                let title = Some("The tip at this pull".to_owned());
+                let rows = vec![row("Pull", Quantity::fixed(millimetres(pull), 2, "mm"))];
+                Chip { title, rows }.paint(painter, within, at, &tokens);
+            }
+        }
         Hovered::Node(index) => {
             let Some(node) = solution.nodes.get(index) else {
                 return;
@@ -112,21 +122,13 @@ fn contact_chip(state: &State, problem: &Problem, contact: &Contact) -> Chip {
     let name = words::obstacle_of(&state.document.scene, contact.obstacle);
     let multiplier = contact.multiplier * METRES_PER_MM;
     Chip {
-        title: Some(capitalised(&part)),
+        title: Some(words::capital(&part)),
         rows: vec![
             row(
-                &capitalised(contact.class.word()),
+                &words::capital(contact.class.word()),
                 text(format!("on {name}")),
             ),
             row("Multiplier λ", Quantity::significant(multiplier, "rad²/mm")),
         ],
-    }
-}
-
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    match letters.next() {
-        Some(first) => first.to_uppercase().chain(letters).collect(),
-        None => String::new(),
     }
 }

@@ -5,10 +5,10 @@ use super::handles::neat;
 use super::tools::{Tool, close_draft};
 use super::{Canvas, hit};
 use crate::app::commands::Command;
-use crate::app::state::{Selection, State};
+use crate::app::state::{Selection, State, Views};
 use crate::geometry::Vector;
 use crate::view::Frame;
-use eframe::egui::{Context, EventFilter, FocusDirection, Key, Modifiers, Response};
+use eframe::egui::{Context, EventFilter, Key, Modifiers, Response};
 
 /// How far an arrow key moves an obstacle, in mm.
 const NUDGE_MM: f64 = 0.5;
@@ -34,8 +34,8 @@ pub enum Space {
 /// pointer is on it.
 pub fn hold_space(ctx: &Context, state: &mut State) {
     let pointer = ctx.input(|input| input.pointer.hover_pos());
-    let over = pointer.is_some_and(|at| state.canvas.rect.contains(at));
-    let over = over && !state.sheets.is_open();
+    let shown = state.preferences.views != Views::Space && !state.sheets.is_open();
+    let over = shown && pointer.is_some_and(|at| state.canvas.rect.contains(at));
     let canvas = &mut state.canvas;
     if over && is_ours(ctx, canvas) {
         let pressed = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Space));
@@ -64,8 +64,11 @@ pub fn follow(response: &Response, state: &mut State, frame: &Frame) {
     if !is_ours(ctx, &state.canvas) || state.sheets.is_open() {
         return;
     }
+    // After everything was selected in turn, Tab goes on to other controls.
+    let canvas = &mut state.canvas;
+    canvas.went_round &= state.selection == Selection::Nothing && response.has_focus();
     let filter = EventFilter {
-        tab: true,
+        tab: !canvas.went_round,
         horizontal_arrows: true,
         vertical_arrows: true,
         escape: true,
@@ -74,12 +77,12 @@ pub fn follow(response: &Response, state: &mut State, frame: &Frame) {
     if !state.canvas.draft.is_empty() {
         draw(ctx, state);
     }
-    if response.has_focus() {
+    if response.has_focus() && !state.canvas.went_round {
         let tab = |modifiers| ctx.input_mut(|input| input.consume_key(modifiers, Key::Tab));
         if tab(Modifiers::SHIFT) {
-            cycle(ctx, state, FocusDirection::Previous);
+            cycle(state, Way::Back);
         } else if tab(Modifiers::NONE) {
-            cycle(ctx, state, FocusDirection::Next);
+            cycle(state, Way::On);
         }
     }
     nudge(ctx, state, frame);
@@ -89,34 +92,37 @@ pub fn follow(response: &Response, state: &mut State, frame: &Frame) {
 fn draw(ctx: &Context, state: &mut State) {
     let pressed = |key| ctx.input_mut(|input| input.consume_key(Modifiers::NONE, key));
     if pressed(Key::Enter) {
-        let now = ctx.input(|input| input.time);
-        close_draft(state, now);
+        close_draft(state);
     } else if pressed(Key::Backspace) {
         state.canvas.draft.pop();
     }
 }
 
-/// Selects the next of the obstacles and, after them, the robot; then hands the
-/// focus on.
-fn cycle(ctx: &Context, state: &mut State, direction: FocusDirection) {
+/// A way round.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Way {
+    On,
+    Back,
+}
+
+/// Selects the next of the obstacles and, after them, the robot; then nothing.
+fn cycle(state: &mut State, way: Way) {
     let robot = state.document.scene.obstacles.len();
     let now = match state.selection {
         Selection::Nothing | Selection::Photo | Selection::Measured => None,
         Selection::Obstacle(index) => Some(index),
         Selection::Robot => Some(robot),
     };
-    let next = match (direction, now) {
-        (FocusDirection::Previous, None) => Some(robot),
-        (FocusDirection::Previous, Some(now)) => now.checked_sub(1),
-        (_, None) => Some(0),
-        (_, Some(now)) => Some(now + 1).filter(|next| *next <= robot),
+    let next = match (way, now) {
+        (Way::Back, None) => Some(robot),
+        (Way::Back, Some(now)) => now.checked_sub(1),
+        (Way::On, None) => Some(0),
+        (Way::On, Some(now)) => Some(now + 1).filter(|next| *next <= robot),
     };
     state.canvas.vertex = None;
+    state.canvas.went_round = next.is_none();
     state.selection = match next {
-        None => {
-            ctx.memory_mut(|memory| memory.move_focus(direction));
-            Selection::Nothing
-        }
+        None => Selection::Nothing,
         Some(index) if index == robot => Selection::Robot,
         Some(index) => Selection::Obstacle(index),
     };

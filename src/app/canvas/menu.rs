@@ -11,7 +11,10 @@ use crate::geometry::Vector;
 use crate::scene::{Obstacle, Shape};
 use crate::units::METRES_PER_MM;
 use crate::view::Frame;
-use eframe::egui::{Button, Popup, PopupCloseBehavior, Response, TextEdit, Ui};
+use eframe::egui::{Button, Popup, PopupCloseBehavior, Response, TextEdit, Ui, vec2};
+
+/// Width of the menu, in points.
+const WIDTH: f32 = 216.0;
 
 /// What the menu was opened on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +43,7 @@ pub fn show(response: &Response, state: &mut State, frame: &Frame) {
     Popup::context_menu(response)
         .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
         .show(|ui| {
-            ui.set_min_width(200.0);
+            ui.set_width(WIDTH);
             match opened.target.obstacle() {
                 Some(index) if index < state.document.scene.obstacles.len() => {
                     of_obstacle(ui, state, index, opened);
@@ -52,11 +55,12 @@ pub fn show(response: &Response, state: &mut State, frame: &Frame) {
 
 fn of_obstacle(ui: &mut Ui, state: &mut State, index: usize, opened: Opened) {
     let obstacle = &mut state.document.scene.obstacles[index];
-    let label = ui.weak("Name");
+    let label = ui.weak("Rename");
     let mut name = obstacle.name.clone().unwrap_or_default();
     let field = TextEdit::singleline(&mut name)
         .hint_text(obstacle.shape.word())
-        .desired_width(184.0);
+        .margin(vec2(8.0, 5.0))
+        .desired_width(WIDTH - 16.0);
     let field = ui.add(field).labelled_by(label.id);
     if field.changed() {
         obstacle.name = (!name.trim().is_empty()).then_some(name);
@@ -138,19 +142,21 @@ pub fn add(state: &mut State, tool: Tool, at: Vector, frame: &Frame) {
 fn item(ui: &mut Ui, glyph: &str, title: &str, enabled: bool) -> bool {
     let button = Button::new((icon(glyph), title))
         .frame_when_inactive(false)
-        .min_size(eframe::egui::vec2(ui.available_width(), 28.0));
-    ui.add_enabled(enabled, button).clicked()
+        .min_size(vec2(ui.available_width(), 28.0));
+    let response = ui.add_enabled(enabled, button);
+    response.accessible_name(title).clicked()
 }
 
 fn command(ui: &mut Ui, state: &mut State, command: Command) {
     let entry = command.entry();
     let mut button = Button::new((icon(entry.icon), entry.title))
         .frame_when_inactive(false)
-        .min_size(eframe::egui::vec2(ui.available_width(), 28.0));
+        .min_size(vec2(ui.available_width(), 28.0));
     if let Some(keys) = &entry.shortcut {
         button = button.shortcut_text(ui.ctx().format_shortcut(keys));
     }
-    if ui.add_enabled(command.is_enabled(state), button).clicked() {
+    let response = ui.add_enabled(command.is_enabled(state), button);
+    if response.accessible_name(entry.title).clicked() {
         state.commands.push(command);
         ui.close();
     }

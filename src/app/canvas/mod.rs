@@ -45,6 +45,8 @@ const TRACE: usize = 2000;
 #[derive(Debug)]
 pub struct Canvas {
     camera: Camera,
+    /// Whether the view goes on to fit what the solver is about to find.
+    fitting: bool,
     trace: Vec<Vector>,
     labels: paint::Labels,
     gesture: Option<Gesture>,
@@ -53,9 +55,10 @@ pub struct Canvas {
     draft: Vec<Vector>,
     /// The selected vertex, by its obstacle's index and its own.
     vertex: Option<(usize, usize)>,
-    notice: Option<banner::Notice>,
     menu: Option<menu::Opened>,
     space: Space,
+    /// Whether Tab has selected everything in turn.
+    went_round: bool,
     /// Since when the shape is greyed, in seconds of the window's clock.
     stuck_since: Option<f64>,
     id: Option<egui::Id>,
@@ -68,15 +71,16 @@ impl Default for Canvas {
     fn default() -> Self {
         Self {
             camera: Camera::default(),
+            fitting: true,
             trace: Vec::new(),
             labels: paint::Labels::default(),
             gesture: None,
             tool: Tool::Select,
             draft: Vec::new(),
             vertex: None,
-            notice: None,
             menu: None,
             space: Space::Up,
+            went_round: false,
             stuck_since: None,
             id: None,
             rect: Rect::NOTHING,
@@ -89,7 +93,17 @@ impl Canvas {
     /// Shows everything at the next frame.
     pub fn fit_soon(&mut self) {
         self.camera.fit_soon();
+        self.fitting = true;
         self.trace.clear();
+    }
+
+    /// Fits the view again at the next frame while the robot is on its way,
+    /// unless the user has moved the view or moves something in it.
+    fn go_on_fitting(&mut self, live: &Live) {
+        self.fitting &= !live.is_settled() && self.gesture.is_none() && !self.camera.is_moved();
+        if self.fitting {
+            self.camera.fit_soon();
+        }
     }
 
     /// Where the canvas looks: what is where on the screen.
@@ -151,6 +165,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     state.canvas.camera.place(rect, tools::ROOM, &bounds);
     state.canvas.camera.navigate(ui, &response);
     let frame = state.canvas.camera.frame();
+    state.canvas.go_on_fitting(&state.live);
     let reach = Reach::of(ui);
     keys::follow(&response, state, &frame);
     // What lies behind and before the robot comes first, where it is in hand.
@@ -159,6 +174,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     } else {
         pointer::follow(&response, state, &frame, reach)
     };
+    state.take_edits(ui.ctx());
     picture(ui, state, &frame, rect, target, reach);
     overlays(ui, state, &frame, rect, &response);
     if response.has_focus() && response.ctx.input(|input| !input.pointer.has_pointer()) {
@@ -213,9 +229,11 @@ fn picture(ui: &Ui, state: &mut State, frame: &Frame, rect: Rect, target: Target
     if target == Target::Tip {
         paint::tip_ring(&painter, &state.live, frame, &tokens);
     }
-    paint::scale_bar(&painter, frame, theme);
+    paint::scale_bar(&painter, frame, state.canvas.strip, theme);
     backdrop::before(&painter, state, frame, theme);
-    paint::legend(&painter, state.live.drawing(), rect, theme);
+    if !state.live.drawing().standing.is_greyed() {
+        paint::legend(&painter, state.live.drawing(), rect, theme);
+    }
     match lit {
         Hovered::Obstacle(_) => {}
         lit => hover::paint(&painter, state, lit, frame, rect, theme),
@@ -229,7 +247,8 @@ fn overlays(ui: &mut Ui, state: &mut State, frame: &Frame, rect: Rect, response:
     let pointer = response.hover_pos().or(response.interact_pointer_pos());
     banner::rings(ui, &painter, state, frame);
     tools::paint_draft(&painter, &state.canvas, frame, pointer, &tokens);
-    if state.canvas.gesture.is_none() && state.canvas.tool == Tool::Select {
+    let calm = state.canvas.gesture.is_none() && state.canvas.tool == Tool::Select;
+    if calm && state.hovering == Hovered::Nothing && state.selection == Selection::Nothing {
         let hints = state.preferences.hints;
         hints.paint(&painter, &state.live, frame, rect, &tokens);
     }
@@ -240,7 +259,7 @@ fn overlays(ui: &mut Ui, state: &mut State, frame: &Frame, rect: Rect, response:
         let numbers = gesture.reading(&state.document.scene);
         chip::reading(&painter, rect, pointer, &numbers, &tokens);
     }
-    banner::messages(ui, &painter, state, rect, pointer);
+    banner::refusal(ui, &painter, state, rect, pointer);
 }
 
 fn to_world(frame: &Frame, at: Pos2) -> Vector {

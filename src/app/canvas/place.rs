@@ -80,6 +80,8 @@ pub fn dragged(
                 rotation_deg: (along.y.atan2(along.x).to_degrees() * 10.0).round() / 10.0,
             }
         }
+        // Too short to have a direction.
+        Tool::Wall if along.norm() < least => return clicked(tool, from, robot, per_point),
         Tool::Wall => {
             let aside = Vector::new(-along.y, along.x);
             let base = Vector::from(robot.base_mm) - from;
@@ -153,7 +155,8 @@ mod tests {
             let per_point = length_mm / 500.0;
             for tool in TOOLS {
                 check(clicked(tool, at, &scene.robot, per_point), &scene);
-                for to in [at, at + Vector::new(1e-9, 0.0), 1.3 * at, 0.9 * at] {
+                let by = |x, y| at + length_mm * Vector::new(x, y);
+                for to in [at, by(1e-12, 0.0), by(0.1, 0.3), by(-0.2, 0.1)] {
                     let shape = dragged(tool, at, to, &scene.robot, per_point);
                     check(shape.clone(), &scene);
                     check(Some(copied(&shape.unwrap(), &scene.robot)), &scene);

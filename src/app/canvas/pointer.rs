@@ -48,6 +48,12 @@ pub fn follow(response: &Response, state: &mut State, frame: &Frame, reach: Reac
     } else if response.drag_started_by(PointerButton::Middle) {
         state.canvas.gesture = Some(Gesture::view(state));
     }
+    if !response.dragged()
+        && !response.drag_stopped()
+        && let Some(gesture) = state.canvas.gesture.take()
+    {
+        gesture.end(state);
+    }
     let Some(mut gesture) = state.canvas.gesture.take() else {
         if response.hovered() {
             state.hovering = hit::hovered_at(state, frame, world, reach);
@@ -69,9 +75,12 @@ pub fn follow(response: &Response, state: &mut State, frame: &Frame, reach: Reac
         ctx.set_cursor_icon(hit::cursor(gesture.target(), shape, Held::Yes));
     }
     let target = gesture.target();
-    if response.drag_stopped() {
+    let held = ctx.input(|input| input.pointer.any_down());
+    if response.drag_stopped() && !held {
         gesture.end(state);
     } else {
+        // Escape stops a drag whose button is still held; it is a command's to
+        // take the drag back.
         state.canvas.gesture = Some(gesture);
     }
     target
@@ -101,13 +110,12 @@ fn click(response: &Response, state: &mut State, frame: &Frame, under: Target, a
         return;
     }
     response.request_focus();
-    let now = response.ctx.input(|input| input.time);
     let twice = response.double_clicked_by(PointerButton::Primary);
     match state.canvas.tool {
         Tool::Select if twice => twice_on(state, frame, under, at),
         Tool::Select => select(state, under),
-        Tool::Polygon if twice => tools::close_draft(state, now),
-        Tool::Polygon => tools::add_to_draft(state, frame, at, now),
+        Tool::Polygon if twice => tools::close_draft(state),
+        Tool::Polygon => tools::add_to_draft(state, frame, at),
         tool => menu::add(state, tool, at, frame),
     }
 }

@@ -4,6 +4,7 @@ use super::handles::{convex, written};
 use super::{Canvas, hit, to_screen};
 use crate::app::commands::Command;
 use crate::app::look::{Tokens, icon_button, icons};
+use crate::app::notices::Notice;
 use crate::app::state::{Selection, State};
 use crate::geometry::Vector;
 use crate::scene::limits::VERTICES;
@@ -62,7 +63,7 @@ impl Tool {
             Tool::Disc => "Click, or drag from the centre outward",
             Tool::Box => "Click, or drag from corner to corner",
             Tool::Capsule => "Click, or drag from end to end",
-            Tool::Polygon => "Click the vertices; Enter or a double click closes",
+            Tool::Polygon => "Click its vertices, then Enter or a double click",
             Tool::Wall => "Click, or drag along the surface",
         })
     }
@@ -115,7 +116,7 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) -> Rect {
     let area = strip.response.rect;
     if let Some(advice) = state.canvas.tool.advice() {
         let at = area.right_top() + vec2(8.0, 4.0);
-        let text = format!("{advice} · Esc to stop");
+        let text = format!("{advice} · Esc stops");
         super::chip::text(ui.painter(), rect, at, &text, &tokens);
     }
     area
@@ -156,13 +157,13 @@ impl Canvas {
 
 /// Adds a vertex to the polygon being drawn, at a point in metres, or closes it
 /// where it began.
-pub fn add_to_draft(state: &mut State, frame: &Frame, at: Vector, now: f64) {
+pub fn add_to_draft(state: &mut State, frame: &Frame, at: Vector) {
     let per_point = hit::per_point(frame);
     let at = (at / METRES_PER_MM).map(|x| super::handles::neat(x, per_point));
     let draft = &mut state.canvas.draft;
     let begun = draft.first().copied();
     if draft.len() >= 3 && begun.is_some_and(|first| (first - at).norm() < 10.0 * per_point) {
-        close_draft(state, now);
+        close_draft(state);
         return;
     }
     if draft.len() < VERTICES && draft.last() != Some(&at) {
@@ -171,19 +172,17 @@ pub fn add_to_draft(state: &mut State, frame: &Frame, at: Vector, now: f64) {
 }
 
 /// Makes an obstacle of the polygon being drawn, or tells why not.
-pub fn close_draft(state: &mut State, now: f64) {
+pub fn close_draft(state: &mut State) {
     let draft = std::mem::take(&mut state.canvas.draft);
     state.canvas.tool = Tool::Select;
     let Some(found) = convex(&draft) else {
-        state.canvas.tell(
-            "A polygon needs three vertices that are not on one line",
-            now,
-        );
+        let why = "A polygon needs three vertices that are not on one line.";
+        state.notices.tell(Notice::information(why));
         return;
     };
     if found.left_out > 0 {
-        let message = "Obstacles are convex, so the polygon became its convex hull";
-        state.canvas.tell(message, now);
+        let what = "Obstacles are convex, so the polygon became its convex hull.";
+        state.notices.tell(Notice::information(what));
     }
     let obstacles = &mut state.document.scene.obstacles;
     obstacles.push(Obstacle::from(Shape::Polygon {

@@ -88,6 +88,11 @@ impl Stored {
     }
 }
 
+/// Whether the user has made choices that are stored.
+pub fn has_preferences(storage: &dyn Storage) -> bool {
+    storage.get_string(PREFERENCES).is_some()
+}
+
 fn read<T: DeserializeOwned + Default>(
     storage: &dyn Storage,
     key: &str,

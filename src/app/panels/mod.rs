@@ -45,6 +45,14 @@ pub struct Panels {
     told: Option<(status::Verdict, f64)>,
 }
 
+impl Panels {
+    /// Follows a selection that went because what was selected was taken back:
+    /// the inspector is not to forget why.
+    pub fn follow(&mut self, selection: Selection) {
+        self.inspected = selection;
+    }
+}
+
 /// Shows all panels that are open; what is left is the canvas's.
 pub fn show(ui: &mut Ui, state: &mut State) {
     let tokens = Tokens::in_ui(ui);

@@ -73,6 +73,15 @@ pub fn text(ui: &mut Ui, rect: Rect, text: impl Into<RichText>, align: Align) {
     });
 }
 
+/// Text painted in a row, whose name already says it; cut where it does not fit.
+pub fn painted(ui: &Ui, rect: Rect, text: &str) {
+    let text = egui::WidgetText::from(text);
+    let mode = egui::TextWrapMode::Truncate;
+    let galley = text.into_galley(ui, Some(mode), rect.width(), egui::TextStyle::Body);
+    let at = rect.left_center() - vec2(0.0, 0.5 * galley.size().y);
+    ui.painter().galley(at, galley, Tokens::in_ui(ui).text);
+}
+
 /// A heading over a group, small and quiet.
 pub fn heading(ui: &mut Ui, text: &str) -> Response {
     let muted = Tokens::in_ui(ui).muted;

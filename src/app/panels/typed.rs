@@ -12,6 +12,8 @@ pub enum Kind {
     Angle,
     /// A whole number.
     Count,
+    /// A number whose unit is fixed.
+    Plain,
 }
 
 /// Why a text is not what a field asks for.
@@ -72,7 +74,7 @@ impl Kind {
         match self {
             Kind::Length => LENGTHS,
             Kind::Angle => ANGLES,
-            Kind::Count => &[],
+            Kind::Count | Kind::Plain => &[],
         }
     }
 
@@ -157,6 +159,7 @@ impl fmt::Display for Typo {
             Kind::Length => "such as 12.5 or 1.2 cm",
             Kind::Angle => "such as 30 or 0.5 rad",
             Kind::Count => "such as 18",
+            Kind::Plain => "such as 12.5",
         };
         match self {
             Typo::Empty(kind) => write!(f, "Type a number, {}.", example(kind)),
@@ -167,7 +170,7 @@ impl fmt::Display for Typo {
                 let units = match kind {
                     Kind::Length => "use mm, cm, m or µm",
                     Kind::Angle => "use ° or rad",
-                    Kind::Count => "type the number alone",
+                    Kind::Count | Kind::Plain => "type the number alone",
                 };
                 write!(f, "“{text}” is no unit here; {units}.")
             }
@@ -224,12 +227,12 @@ mod tests {
             "12 13",
             "1e",
             "e5",
-            "0x10",
             "½",
         ] {
             check(length, text, Typo::NoNumber(length, text.to_owned()));
         }
         check(length, "5 ft", Typo::NoUnit(length, "ft".to_owned()));
+        check(length, "0x10", Typo::NoUnit(length, "x10".to_owned()));
         check(length, "5 rad", Typo::NoUnit(length, "rad".to_owned()));
         check(
             Kind::Angle,

@@ -8,10 +8,14 @@
 mod detached;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
+#[cfg(all(target_arch = "wasm32", feature = "web"))]
+mod web;
 
 pub use detached::Detached;
 #[cfg(not(target_arch = "wasm32"))]
 pub use native::Native;
+#[cfg(all(target_arch = "wasm32", feature = "web"))]
+pub use web::Web;
 
 use crate::scene::MAX_FILE_BYTES;
 use eframe::egui::DroppedFileHandle;

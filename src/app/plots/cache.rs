@@ -2,6 +2,7 @@
 
 use super::PlotData;
 use super::marks::{self, Mark};
+use super::pane::value_at;
 use crate::equilibrium::Class;
 use crate::explore::{LoadCurve, Path};
 use crate::forces::{Rates, Sweep, VirtualWork, VirtualWorkError, Window};
@@ -101,6 +102,14 @@ pub(super) struct Piece {
     pub slope: Vec<PlotPoint>,
     /// J, in rad².
     pub energy: Vec<PlotPoint>,
+}
+
+impl Course {
+    /// The value of a curve at a pull in mm; after a jump, where there are two.
+    pub fn value(&self, of: fn(&Piece) -> &Vec<PlotPoint>, pull: f64) -> Option<f64> {
+        let mut pieces = self.pieces.iter().rev();
+        pieces.find_map(|piece| value_at(of(piece), pull))
+    }
 }
 
 /// Lines through the window.
@@ -272,7 +281,7 @@ impl Forces {
         });
         let robot = data.problem.robot();
         let reading = data.calibration().map(|index| data.readings()[index]);
-        let work = reading.zip(fits.free.clone()).map(|(reading, rates)| {
+        let work = reading.zip(fits.free).map(|(reading, rates)| {
             let (load, force) = (newtons(reading.load_g), newtons(reading.force_g));
             VirtualWork::calibrated(robot.offset, rates?, load, force)
         });

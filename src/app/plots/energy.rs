@@ -3,7 +3,7 @@
 
 use super::over_pull::{Cursor, Edges, Knob, read_at};
 use super::pane::{
-    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate, value_at,
+    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
 };
 use super::{Link, Plot, PlotAction, PlotCache, PlotData, marks};
 use crate::app::look::{Tokens, theme_of};
@@ -24,10 +24,7 @@ pub(super) fn show(
     let pieces = &cache.course.pieces;
     let pull = millimetres(read_at(data, link));
     let mut reading = Text::default();
-    let value = pieces
-        .iter()
-        .filter_map(|piece| value_at(&piece.energy, pull));
-    if let Some(energy) = value.last() {
+    if let Some(energy) = cache.course.value(|piece| &piece.energy, pull) {
         reading = reading
             .value("pull", &Quantity::fixed(pull, 2, "mm"), &tokens)
             .value("J", &Quantity::significant(energy, "rad²"), &tokens);
@@ -77,12 +74,9 @@ pub(super) fn show(
     cursor.show(ui, &surface, &shown.response, data, link);
     // Over the cursor, so that their names can be read.
     let mark = marks::draw(&surface, &cache.course.marks, &tokens);
-    if let Some(here) = pieces
-        .iter()
-        .filter_map(|piece| value_at(&piece.energy, millimetres(data.solution.pull)))
-        .last()
-    {
-        let at = surface.at(millimetres(data.solution.pull), here);
+    let present = millimetres(data.solution.pull);
+    if let Some(here) = cache.course.value(|piece| &piece.energy, present) {
+        let at = surface.at(present, here);
         surface.dot(at, hue(theme, 0), &tokens);
     }
     if let Some(mark) = mark {
@@ -138,9 +132,8 @@ pub(super) fn charts(cache: &PlotCache) -> Vec<Chart> {
         series.push(Series::new(name, Mark::Line, points));
     }
     let at = |mark: &marks::Mark| {
-        let pieces = cache.course.pieces.iter();
-        let value = pieces.filter_map(|piece| value_at(&piece.energy, mark.pull));
-        value.last().map(|energy| (mark.pull, energy))
+        let energy = cache.course.value(|piece| &piece.energy, mark.pull);
+        energy.map(|energy| (mark.pull, energy))
     };
     for (kind, name) in [
         (marks::Kind::Made, "contact made"),

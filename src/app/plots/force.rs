@@ -78,15 +78,11 @@ pub(super) fn show(
     surface.zero(&tokens);
     caveats(ui, &surface, cache, &tokens);
     names(ui, &surface, data, cache);
-    for point in [
-        here,
-        twin.map(|p| PlotPoint::new(grams(p.load), grams(p.total))),
-    ] {
-        if let Some(point) = point {
-            let at = surface.at(point.x, point.y);
-            painter.circle_filled(at, 4.5, tokens.accent);
-            painter.circle_stroke(at, 5.5, Stroke::new(1.5, tokens.panel));
-        }
+    let twin = twin.map(|point| PlotPoint::new(grams(point.load), grams(point.total)));
+    for point in [here, twin].into_iter().flatten() {
+        let at = surface.at(point.x, point.y);
+        painter.circle_filled(at, 4.5, tokens.accent);
+        painter.circle_stroke(at, 5.5, Stroke::new(1.5, tokens.panel));
     }
     let nearest = nearest(&surface, data.readings());
     readings(&surface, data, cache, nearest, &tokens);
@@ -239,10 +235,8 @@ fn names(ui: &Ui, surface: &Surface<'_>, data: &PlotData<'_>, cache: &PlotCache)
         let at = surface.at(0.62 * right, force) + vec2(10.0, 8.0);
         taken = Some(surface.name(at, Align2::LEFT_TOP, text));
     }
-    let totals = cache.forces.total.iter();
-    let value = totals
-        .filter_map(|piece| value_at(piece, 0.97 * right))
-        .last();
+    let mut totals = cache.forces.total.iter().rev();
+    let value = totals.find_map(|piece| value_at(piece, 0.97 * right));
     let last = cache.forces.total.last().and_then(|piece| piece.last());
     let end = value
         .map(|y| (0.97 * right, y))

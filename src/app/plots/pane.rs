@@ -238,7 +238,8 @@ fn round_marks(input: &GridInput, room: f64, whole: Whole) -> Vec<GridMark> {
     }
     let (first, last) = (input.bounds.0 / step, input.bounds.1 / step);
     // A range far from zero has steps that rounding swallows.
-    if !(last - first < 1e3) || first.abs().max(last.abs()) > 1e12 {
+    let readable = last - first < 1e3 && first.abs().max(last.abs()) < 1e12;
+    if !readable {
         return Vec::new();
     }
     (first.ceil() as i64..=last.floor() as i64)

@@ -4,7 +4,6 @@
 use super::over_pull::{Cursor, Edges, Knob, read_at, window_shade};
 use super::pane::{
     Quantities, SMALL, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
-    value_at,
 };
 use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
@@ -100,9 +99,7 @@ pub(super) fn show(
         let shown = Quantity::fixed(millimetres(pull), 2, "mm");
         reading = reading.value("pull", &shown, &tokens);
         for curve in &curves {
-            let pieces = cache.course.pieces.iter();
-            let values = pieces.filter_map(|piece| value_at((curve.of)(piece), millimetres(pull)));
-            if let Some(value) = values.last() {
+            if let Some(value) = cache.course.value(curve.of, millimetres(pull)) {
                 let decimals = if curve.unit == "mm" { 2 } else { 1 };
                 let shown = Quantity::fixed(value, decimals, curve.unit);
                 reading = reading.value(curve.name, &shown, &tokens);
@@ -269,10 +266,7 @@ fn half(ui: &mut Ui, half: &Half<'_>, data: &PlotData<'_>, cache: &PlotCache, li
     cursor.show(ui, &surface, &shown.response, data, link);
     let pull = millimetres(data.solution.pull);
     for one in half.curves {
-        let here = pieces
-            .iter()
-            .filter_map(|piece| value_at((one.of)(piece), pull));
-        if let Some(here) = here.last() {
+        if let Some(here) = cache.course.value(one.of, pull) {
             surface.dot(surface.at(pull, here), hue(theme, one.hue), &tokens);
         }
     }

@@ -135,6 +135,9 @@ pub fn convex(points: &[Vector]) -> Option<Convex> {
             distinct.push(*point);
         }
     }
+    if distinct.len() < 3 {
+        return None;
+    }
     let mut hull = match Core::polygon(&distinct)? {
         Core::Vertices(hull) => hull,
         _ => return None,

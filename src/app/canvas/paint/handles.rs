@@ -1,7 +1,7 @@
 //! The handles of the selected obstacle.
 
 use super::to_screen;
-use crate::app::canvas::handles::{Handle, Turned, handles};
+use crate::app::canvas::handles::{Handle, Turned, handles, vertices};
 use crate::app::canvas::hit::{Reach, per_point};
 use crate::app::look::Tokens;
 use crate::geometry::Vector;
@@ -32,7 +32,7 @@ pub fn paint(
         let fill = if full { tokens.accent } else { tokens.canvas };
         match handle {
             Handle::Turn => {
-                let from = to_screen(frame, METRES_PER_MM * stem(shape, frame));
+                let from = to_screen(frame, METRES_PER_MM * stem(shape));
                 painter.line_segment([from, at], Stroke::new(1.0, tokens.accent));
                 painter.circle(at, size + 1.0, fill, stroke);
                 turn_mark(
@@ -62,7 +62,7 @@ fn turn_of(shape: &Outline) -> f32 {
 }
 
 /// Where the line to the handle of a turn begins, in mm.
-fn stem(shape: &Outline, frame: &Frame) -> Vector {
+fn stem(shape: &Outline) -> Vector {
     let anchor = Vector::from(shape.anchor_mm());
     let turn = Turned::by(shape.rotation_deg());
     match shape {
@@ -71,9 +71,18 @@ fn stem(shape: &Outline, frame: &Frame) -> Vector {
             corner_radius_mm, ..
         } => anchor + *corner_radius_mm * turn.x,
         _ => {
-            let all = handles(shape, per_point(frame));
-            let knob = all.iter().find(|(handle, _)| *handle == Handle::Turn);
-            knob.map_or(anchor, |(_, at)| at - 24.0 * per_point(frame) * turn.y)
+            // Where the line leaves the outline.
+            let points = vertices(shape);
+            let next = points.iter().cycle().skip(1);
+            let crossings = points.iter().zip(next).filter_map(|(a, b)| {
+                let (left, right) = (turn.x.dot(&(a - anchor)), turn.x.dot(&(b - anchor)));
+                let share = left / (left - right);
+                let at = a + share * (b - a);
+                (0.0..=1.0)
+                    .contains(&share)
+                    .then(|| turn.y.dot(&(at - anchor)))
+            });
+            anchor + crossings.fold(0.0, f64::max) * turn.y
         }
     }
 }

@@ -13,6 +13,8 @@ use eframe::egui::{Align2, Color32, FontId, Mesh, Painter, Pos2, Rect, Shape, St
 const EDGE: f32 = 16.0;
 /// Length of the scale bar, in points, at most.
 const BAR: f64 = 120.0;
+/// A canvas that is no wider leaves the legend's title out, in points.
+const NARROW: f32 = 460.0;
 
 /// A line in the accent around the obstacle that is selected.
 pub fn selection(painter: &Painter, live: &Live, selected: Selection, frame: &Frame, theme: Theme) {
@@ -71,13 +73,16 @@ pub fn tip_ring(painter: &Painter, live: &Live, frame: &Frame, tokens: &Tokens) 
     }
 }
 
-/// A bar of a round length, lower left.
-pub fn scale_bar(painter: &Painter, frame: &Frame, theme: Theme) {
+/// A bar of a round length, lower left, beside what is `taken` there.
+pub fn scale_bar(painter: &Painter, frame: &Frame, taken: Rect, theme: Theme) {
     let length = one_two_five(BAR / frame.scale);
     let long = (length * frame.scale) as f32;
     let window = painter.clip_rect();
     let tokens = Tokens::of(theme);
-    let left = pos2(window.left() + EDGE, window.bottom() - EDGE);
+    let mut left = pos2(window.left() + EDGE, window.bottom() - EDGE);
+    if taken.is_positive() && taken.bottom() > left.y - 2.0 * EDGE {
+        left.x = taken.right() + EDGE;
+    }
     let right = left + vec2(long, 0.0);
     let stroke = Stroke::new(1.5, tokens.muted);
     let tick = vec2(0.0, 5.0);
@@ -134,13 +139,15 @@ pub fn legend(painter: &Painter, drawing: &Drawing, rect: Rect, theme: Theme) {
         small.clone(),
         tokens.muted,
     );
-    painter.text(
-        pos2(zero.left() - 8.0, middle),
-        Align2::RIGHT_CENTER,
-        "Multiplier λ",
-        small,
-        tokens.muted,
-    );
+    if rect.width() > NARROW {
+        painter.text(
+            pos2(zero.left() - 8.0, middle),
+            Align2::RIGHT_CENTER,
+            "Multiplier λ",
+            small,
+            tokens.muted,
+        );
+    }
 }
 
 /// The contact scale from 0 to 1, left to right.

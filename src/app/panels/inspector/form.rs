@@ -16,9 +16,9 @@ use std::cell::RefCell;
 /// Height of a field, in points.
 pub const HEIGHT: f32 = 28.0;
 /// Room for units beside fields, in points.
-const UNIT: f32 = 24.0;
+const UNIT: f32 = 20.0;
 /// Width of number fields, in points.
-const NUMBER: f32 = 84.0;
+const NUMBER: f32 = 80.0;
 
 /// What was wrong with what was typed last.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,6 +43,8 @@ pub struct Number<'a> {
     pub limits: Limits,
     /// Counts are multiples of this.
     pub step: u32,
+    /// Whether it may be missing, which a value below its limits stands for.
+    pub optional: bool,
 }
 
 impl<'a> Number<'a> {
@@ -55,6 +57,7 @@ impl<'a> Number<'a> {
             kind: Kind::Length,
             limits,
             step: 1,
+            optional: false,
         }
     }
 
@@ -71,6 +74,7 @@ impl<'a> Number<'a> {
             Kind::Length => "mm",
             Kind::Angle => "°",
             Kind::Count => "",
+            Kind::Plain => self.limits.unit.symbol(),
         }
     }
 
@@ -78,8 +82,23 @@ impl<'a> Number<'a> {
         match self.kind {
             Kind::Length => 2,
             Kind::Angle => 1,
-            Kind::Count => 0,
+            Kind::Count | Kind::Plain => 0,
         }
+    }
+
+    /// The value as the field shows it.
+    fn shown(&self, value: f64) -> String {
+        let quantity = match self.kind {
+            Kind::Plain if self.is_missing(value) => return "none".to_owned(),
+            Kind::Plain => Quantity::significant(value, ""),
+            _ => Quantity::fixed(value, self.decimals(), ""),
+        };
+        quantity.digits
+    }
+
+    /// Whether a value stands for none.
+    fn is_missing(&self, value: f64) -> bool {
+        self.optional && value < self.limits.min
     }
 
     fn range(&self) -> String {
@@ -92,6 +111,9 @@ impl<'a> Number<'a> {
 
     /// What a text typed for the field means, or what is wrong with it.
     fn read(&self, text: &str) -> Result<f64, String> {
+        if self.optional && matches!(text.trim(), "" | "none") {
+            return Ok(0.0);
+        }
         let value = self.kind.parse(text).map_err(|typo| typo.to_string())?;
         if !self.limits.contain(value) {
             return Err(format!(
@@ -155,9 +177,13 @@ impl<'a> Form<'a> {
                 let label = name(ui, number.name, number.symbol);
                 beside(ui, |ui| {
                     ui.spacing_mut().item_spacing.x = 4.0;
-                    let (_, rect) = ui.allocate_space(vec2(UNIT, HEIGHT));
-                    unit(ui, rect, number.unit());
-                    changed = self.value(ui, number, value, NUMBER, |field| {
+                    // Where the unit is long, at the field's expense.
+                    let sign = number.unit();
+                    let room = if sign.len() > 2 { 2.0 * UNIT } else { UNIT };
+                    let (_, rect) = ui.allocate_space(vec2(room, HEIGHT));
+                    unit(ui, rect, sign);
+                    let width = NUMBER + UNIT - room;
+                    changed = self.value(ui, number, value, width, |field| {
                         field.labelled_by(label.id)
                     });
                     extra(ui);
@@ -188,15 +214,17 @@ impl<'a> Form<'a> {
         let inner = ui.scope_builder(builder.max_rect(rect), |ui| {
             if complained {
                 let stroke = Stroke::new(1.0, Tokens::in_ui(ui).error);
-                ui.visuals_mut().widgets.inactive.bg_stroke = stroke;
+                let widgets = &mut ui.visuals_mut().widgets;
+                widgets.inactive.bg_stroke = stroke;
+                widgets.hovered.bg_stroke = stroke;
             }
             let id = ui.next_auto_id();
             let editing = ui.memory(|memory| memory.has_focus(id));
             // All digits while they can be edited, or a glance at a field
             // would round its number.
-            let text = move |value: f64| match editing {
+            let text = move |value: f64| match editing && !number.is_missing(value) {
                 true => shown(value).replace('-', "−"),
-                false => Quantity::fixed(value, number.decimals(), "").digits,
+                false => number.shown(value),
             };
             let untouched = text(before);
             let mut new = before;
@@ -206,12 +234,16 @@ impl<'a> Form<'a> {
                 Kind::Angle => 0.5,
                 Kind::Count if ui.ctx().is_being_dragged(id) => 0.1 * step,
                 Kind::Count => step,
+                Kind::Plain => 0.005 * before.abs(),
+            };
+            let least = match number.optional {
+                true => 0.0,
+                false => number.limits.min,
             };
             let field = DragValue::new(&mut new)
                 .speed(speed)
-                .range(number.limits.min..=number.limits.max)
+                .range(least..=number.limits.max)
                 .clamp_existing_to_range(false)
-                .fixed_decimals(number.decimals())
                 .min_size(size)
                 .clip_text(true)
                 .update_while_editing(false)
@@ -224,6 +256,10 @@ impl<'a> Form<'a> {
                     *read.borrow_mut() = Some(result.as_ref().map(|_| ()).map_err(String::clone));
                     result.ok()
                 });
+            let field = match number.kind {
+                Kind::Plain => field,
+                _ => field.fixed_decimals(number.decimals()),
+            };
             let response = ui.add(field);
             if number.kind == Kind::Count {
                 new = ((new / step).round() * step).max(step);
@@ -249,6 +285,14 @@ impl<'a> Form<'a> {
         }
         *value = new;
         new != before
+    }
+
+    /// A field for a number that may be missing: an empty field is none.
+    pub fn optional(&mut self, ui: &mut Ui, number: &Number<'_>, value: &mut Option<f64>) {
+        let mut real = value.unwrap_or(0.0);
+        if self.number(ui, number, &mut real) {
+            *value = (!number.is_missing(real)).then_some(real);
+        }
     }
 
     /// A field for a whole number. Whether it was changed.
@@ -299,8 +343,8 @@ impl<'a> Form<'a> {
             ui.horizontal(|ui| {
                 let label = name(ui, called, "");
                 beside(ui, |ui| {
-                    let (_, rect) = ui.allocate_space(vec2(UNIT - 4.0, HEIGHT));
-                    unit(ui, rect, "");
+                    ui.spacing_mut().item_spacing.x = 4.0;
+                    ui.allocate_space(vec2(UNIT, HEIGHT));
                     let current = choices.iter().find(|(choice, _)| *choice == *value);
                     let current = current.map_or("", |(_, word)| word.as_str());
                     let combo = egui::ComboBox::from_id_salt("choice")

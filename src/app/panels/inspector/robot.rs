@@ -7,8 +7,8 @@ use crate::app::panels::row;
 use crate::app::panels::typed::Kind;
 use crate::app::state::State;
 use crate::scene::limits::{
-    ANGLE, CABLE_OFFSET, COORDINATE, DISK_RADIUS, DISK_THICKNESS, LENGTH, LINE_DIAMETER, Limits,
-    SEGMENTS,
+    ANGLE, BENDING_STIFFNESS, CABLE_OFFSET, COORDINATE, DISK_RADIUS, DISK_THICKNESS, LENGTH,
+    LINE_DIAMETER, Limits, SEGMENTS,
 };
 use crate::scene::{Candidates, Contact, Robot};
 use eframe::egui::{self, Button, RichText, Ui, Vec2, WidgetInfo};
@@ -62,6 +62,13 @@ fn backbone(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
     );
     let number = length("backbone_diameter_mm", "Diameter", LINE_DIAMETER);
     form.number(ui, &number, &mut robot.backbone_diameter_mm);
+    let number = Number {
+        symbol: "EI",
+        kind: Kind::Plain,
+        optional: true,
+        ..length("bending_stiffness_nmm2", "Stiffness", BENDING_STIFFNESS)
+    };
+    form.optional(ui, &number, &mut robot.bending_stiffness_nmm2);
 }
 
 fn disks(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
@@ -95,6 +102,7 @@ fn disks(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
 
 /// Whether the rim follows the cable offset: a link that can be undone.
 fn follow(ui: &mut Ui, follows: &mut bool) {
+    ui.spacing_mut().button_padding = Vec2::ZERO;
     let tokens = Tokens::in_ui(ui);
     let ink = if *follows {
         tokens.accent

@@ -14,8 +14,9 @@ use eframe::egui::{Button, Ui};
 pub fn menu(ui: &mut Ui, state: &mut State) {
     icon_menu(ui, icons::PLUS, "Add an obstacle", |ui| {
         for shape in shapes(&state.document.scene) {
-            let text = (icon(words::shape_icon(&shape)), words::shape(&shape));
-            if ui.add(Button::new(text)).clicked() {
+            let name = words::shape(&shape);
+            let button = Button::new((icon(words::shape_icon(&shape)), name));
+            if ui.add(button).accessible_name(name).clicked() {
                 insert(state, shape);
                 ui.close();
             }

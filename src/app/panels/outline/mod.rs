@@ -117,6 +117,7 @@ fn besides(ui: &mut Ui, state: &mut State) {
         if response.clicked() {
             choose(&response, state, this);
         }
+        keys(ui, &response, state, this);
     }
 }
 
@@ -204,7 +205,7 @@ fn contents(ui: &mut Ui, rect: Rect, glyph: &str, name: &str) {
     let mut room = rect;
     room.min.x += 32.0;
     room.max.x -= 24.0;
-    row::text(ui, room, name, Align::Min);
+    row::painted(ui, room, name);
 }
 
 /// A dot in the contact scale at the end of a row.
@@ -232,16 +233,17 @@ fn keys(ui: &Ui, response: &Response, state: &mut State, this: Selection) {
     };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
-    let count = state.document.scene.obstacles.len();
-    let place = this.obstacle().map_or(0, |index| index + 1);
+    let rows = rows(&state.document.scene);
+    let last = rows.len() - 1;
+    let place = rows.iter().position(|row| *row == this).unwrap_or(0);
     let to = if pressed(Key::ArrowDown) {
-        (place + 1).min(count)
+        (place + 1).min(last)
     } else if pressed(Key::ArrowUp) {
         place.saturating_sub(1)
     } else if pressed(Key::Home) {
         0
     } else if pressed(Key::End) {
-        count
+        last
     } else {
         if let Selection::Obstacle(index) = this
             && pressed(Key::F2)
@@ -250,11 +252,18 @@ fn keys(ui: &Ui, response: &Response, state: &mut State, this: Selection) {
         }
         return;
     };
-    state.selection = match to {
-        0 => Selection::Robot,
-        place => Selection::Obstacle(place - 1),
-    };
+    state.selection = rows[to];
     ui.memory_mut(|memory| memory.request_focus(row_id(state.selection)));
+}
+
+/// What is listed, from top to bottom; never nothing.
+fn rows(scene: &Scene) -> Vec<Selection> {
+    let measured = scene.measured.as_ref().map(|_| Selection::Measured);
+    let photo = scene.photo.as_ref().map(|_| Selection::Photo);
+    let obstacles = (0..scene.obstacles.len()).map(Selection::Obstacle);
+    let besides = measured.into_iter().chain(photo);
+    let first = std::iter::once(Selection::Robot);
+    first.chain(besides).chain(obstacles).collect()
 }
 
 fn begin(state: &mut State, index: usize) {

@@ -28,7 +28,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
         .collapsible(false)
         .resizable([false, true])
         .default_width(WIDTH)
-        .default_height(640.0_f32.min(screen.height() - 160.0))
+        .default_height(960.0_f32.min(screen.height() - 160.0))
         .pivot(Align2::RIGHT_BOTTOM)
         .default_pos(screen.right_bottom() - vec2(12.0, 60.0));
     window.show(ui.ctx(), |ui| {
@@ -99,6 +99,7 @@ struct Condition {
 
 fn conditions(ui: &mut Ui, certificate: &Certificate) {
     let bound = Quantity::order(Certificate::BOUND, "").digits;
+    let bound = bound.trim_start_matches("1×");
     let residual = |name, symbols, meaning, value: f64| Condition {
         name,
         symbols,
@@ -118,7 +119,7 @@ fn conditions(ui: &mut Ui, certificate: &Certificate) {
     for condition in [
         residual(
             "Stationarity",
-            "∇J − Σ λ ∇g − Σ μ ∇h = 0",
+            "∂J = Σ λ ∂g + Σ μ ∂h",
             "No node is pushed along the way it is free to move.",
             certificate.stationarity,
         ),
@@ -154,7 +155,7 @@ fn conditions(ui: &mut Ui, certificate: &Certificate) {
         ),
         yes_or_no(
             "Minimum",
-            "d·∇²L d > 0",
+            "δ²L > 0",
             "Every small motion that is allowed costs energy: the robot can rest here.",
             certificate.minimum,
         ),

@@ -1,0 +1,209 @@
+//! The window in a browser's page, with its solver in a worker. The page
+//! around it (`web/page`) decides what it may use, shows what comes before the
+//! first frame, and what there is to say after the last one.
+
+#[cfg(feature = "web-test")]
+mod handle;
+mod kept;
+mod options;
+
+use super::backend::{Arrived, Inline, SLICE, SolverBackend, Worker};
+use super::files::autosave::{Stored, has_preferences};
+use super::files::{Arrival, Intent, faults_of, request, sentence};
+use super::notices::Notice;
+use super::platform::Web;
+use super::{Sinew, link};
+use crate::model::Problem;
+use crate::scene::Scene;
+use eframe::egui::{Context, Ui};
+use eframe::{CreationContext, WebRunner};
+use std::rc::Rc;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(js_namespace = sinew_page)]
+extern "C" {
+    /// Where the window is to be.
+    fn canvas() -> web_sys::HtmlCanvasElement;
+    /// A worker that runs `worker.js`, where there are workers.
+    fn worker() -> Option<web_sys::Worker>;
+    /// Whether WebGL is to be used even where there is WebGPU.
+    fn wants_webgl() -> bool;
+    /// Whether the page is part of another one: then the panels are closed and
+    /// nothing is stored.
+    fn is_embedded() -> bool;
+    /// Whether nothing is to move by itself.
+    fn wants_stillness() -> bool;
+    /// The window has its first frame.
+    fn ready();
+    /// The window is over; with the scene file that it had open.
+    fn crashed(why: &str, scene: &str);
+}
+
+/// Opens the window in its page.
+pub fn open() {
+    // Fails only where there is a logger already.
+    let _ = eframe::WebLogger::init(log::LevelFilter::Warn);
+    kept::on_panic(|why, scene| crashed(why, scene));
+    wasm_bindgen_futures::spawn_local(run(WebRunner::new()));
+}
+
+/// The scene that is open as a file; empty before the first frame.
+#[wasm_bindgen]
+pub fn sinew_kept() -> String {
+    kept::file()
+}
+
+async fn run(runner: WebRunner) {
+    #[cfg(feature = "web-test")]
+    handle::hold(&runner);
+    let options = options::of(wants_webgl());
+    let creator = Box::new(|cc: &CreationContext<'_>| {
+        let page: Box<dyn eframe::App> = Box::new(Page::new(cc)?);
+        Ok(page)
+    });
+    if let Err(error) = runner.start(canvas(), options, creator).await {
+        let why = error.as_string().unwrap_or_else(|| format!("{error:?}"));
+        crashed(&why, "");
+    }
+}
+
+/// The window, and what only a page has.
+struct Page {
+    window: Sinew,
+    /// The fragment of the address that was opened last.
+    fragment: String,
+    /// How the solver's worker is, where there is one that goes on.
+    arrived: Option<Rc<Arrived>>,
+    frames: u64,
+}
+
+impl Page {
+    fn new(cc: &CreationContext<'_>) -> Result<Self, String> {
+        if let Some(gpu) = &cc.wgpu_render_state {
+            crate::render::install(gpu);
+        }
+        let ctx = &cc.egui_ctx;
+        let fragment = cc.integration_info.web_info.location.hash.clone();
+        let (scene, broken) = match linked(&fragment) {
+            Ok(scene) => (scene, None),
+            Err(why) => (None, Some(why)),
+        };
+        let (backend, arrived) = backend(ctx);
+        let storage = cc.storage.filter(|_| !is_embedded());
+        let mut stored = Stored::of(storage);
+        let preferences = &mut stored.preferences;
+        if storage.is_none_or(|storage| !has_preferences(storage)) {
+            preferences.still = wants_stillness();
+        }
+        if is_embedded() {
+            preferences.outline = false;
+            preferences.dock = false;
+        }
+        let window = Sinew::new(ctx, scene, backend, preferences.clone());
+        let window = window.map_err(|faults| faults_of(&faults).join(" "))?;
+        let mut window = window.on(Box::new(Web::new(ctx)), stored);
+        if let Some(why) = broken {
+            window.state_mut().notices.tell(Notice::trouble(why));
+        }
+        #[cfg(feature = "web-test")]
+        handle::watch(cc);
+        Ok(Self {
+            window,
+            fragment,
+            arrived,
+            frames: 0,
+        })
+    }
+
+    /// Tells once where the solver's worker has failed.
+    fn watch_worker(&mut self) {
+        if self
+            .arrived
+            .as_ref()
+            .is_some_and(|arrived| arrived.has_failed())
+        {
+            self.arrived = None;
+            let told = "The solver's worker has stopped; the window solves by itself, if slower.";
+            let notices = &mut self.window.state_mut().notices;
+            notices.tell(Notice::information(told));
+        }
+    }
+
+    /// Opens the scene of a link that was put into the address.
+    fn follow(&mut self, fragment: &str, ctx: &Context) {
+        if self.fragment == fragment {
+            return;
+        }
+        fragment.clone_into(&mut self.fragment);
+        let state = self.window.state_mut();
+        match linked(fragment) {
+            Ok(Some(scene)) => {
+                let arrival = Box::new(Arrival::of(scene));
+                request(state, Intent::Scene(arrival), ctx);
+            }
+            Ok(None) => {}
+            Err(why) => state.notices.tell(Notice::trouble(why)),
+        }
+    }
+}
+
+/// The scene of a fragment, if there is one; or a sentence on what is wrong
+/// with it.
+fn linked(fragment: &str) -> Result<Option<Scene>, String> {
+    if fragment.trim_start_matches('#').is_empty() {
+        return Ok(None);
+    }
+    let scene = link::decode(fragment).map_err(|error| sentence(&error.to_string()))?;
+    match Problem::parse(&scene) {
+        Ok(_) => Ok(Some(scene)),
+        Err(faults) => Err(faults_of(&faults).join(" ")),
+    }
+}
+
+fn backend(ctx: &Context) -> (Box<dyn SolverBackend>, Option<Rc<Arrived>>) {
+    match worker() {
+        Some(worker) => {
+            let painter = ctx.clone();
+            let worker = Worker::new(worker, move || painter.request_repaint());
+            let arrived = worker.arrived();
+            (Box::new(worker), Some(arrived))
+        }
+        None => (Box::new(Inline::sliced(SLICE)), None),
+    }
+}
+
+impl eframe::App for Page {
+    fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
+        let fragment = frame.info().web_info.location.hash.clone();
+        self.follow(&fragment, ctx);
+        self.watch_worker();
+        self.window.logic(ctx, frame);
+    }
+
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        if is_embedded() {
+            self.window.frame(ui);
+        } else {
+            self.window.ui(ui, frame);
+        }
+        kept::keep(&self.window.state().document.scene);
+        self.frames += 1;
+        if self.frames == 1 {
+            ready();
+        }
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        if !is_embedded() {
+            self.window.save(storage);
+        }
+    }
+
+    fn auto_save_interval(&self) -> std::time::Duration {
+        self.window.auto_save_interval()
+    }
+
+    fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {
+        Some(self)
+    }
+}

@@ -1,0 +1,139 @@
+//! A browser: files come from its chooser or are dropped on the page, and go
+//! where its downloads go. It tells nobody where that is, so no file can be
+//! opened or written again without the user.
+
+use super::{Contents, Destination, Errand, News, Platform};
+use eframe::egui::{Context, DroppedFileHandle};
+use js_sys::{Promise, Uint8Array};
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+
+#[wasm_bindgen(js_namespace = sinew_page)]
+extern "C" {
+    /// A file of the user's choice among those with such endings; nothing
+    /// where they change their mind.
+    fn pick(endings: &str) -> Promise;
+    /// Hands a file to the browser's downloads.
+    fn download(name: &str, bytes: &[u8]);
+}
+
+/// The browser around a window.
+pub struct Web {
+    news: Rc<Newsstand>,
+}
+
+/// Where what becomes of errands is left.
+struct Newsstand {
+    ctx: Context,
+    news: RefCell<VecDeque<News>>,
+}
+
+impl Newsstand {
+    fn leave(&self, news: News) {
+        self.news.borrow_mut().push_back(news);
+        self.ctx.request_repaint();
+    }
+
+    fn fail(&self, errand: Errand, path: Option<PathBuf>, reason: String) {
+        self.leave(News::Failed {
+            errand,
+            path,
+            reason,
+        });
+    }
+
+    fn read(&self, errand: Errand, path: PathBuf, bytes: Vec<u8>) {
+        self.leave(News::Read {
+            errand,
+            path,
+            bytes,
+        });
+    }
+}
+
+impl Web {
+    /// The browser around the window of a context.
+    pub fn new(ctx: &Context) -> Self {
+        let news = RefCell::default();
+        let ctx = ctx.clone();
+        Self {
+            news: Rc::new(Newsstand { ctx, news }),
+        }
+    }
+}
+
+impl Platform for Web {
+    fn pick(&mut self, errand: Errand, _folder: Option<&Path>) {
+        let endings: Vec<_> = errand.endings().iter().map(|e| format!(".{e}")).collect();
+        let picked = pick(&endings.join(","));
+        let news = Rc::clone(&self.news);
+        spawn_local(async move {
+            let file = JsFuture::from(picked).await;
+            match file.ok().and_then(|file| file.dyn_into().ok()) {
+                Some(file) => read(&news, errand, &file).await,
+                None => news.leave(News::Cancelled(errand)),
+            }
+        });
+    }
+
+    fn read(&mut self, errand: Errand, path: PathBuf) {
+        let reason = "a browser opens no file by its name; choose it again".to_owned();
+        self.news.fail(errand, Some(path), reason);
+    }
+
+    fn take(&mut self, errand: Errand, dropped: DroppedFileHandle) {
+        let news = Rc::clone(&self.news);
+        spawn_local(async move {
+            match dropped.web_file() {
+                Some(file) => read(&news, errand, file).await,
+                None => news.leave(News::Cancelled(errand)),
+            }
+        });
+    }
+
+    fn write(&mut self, errand: Errand, to: Destination, contents: Contents) {
+        let path = match to {
+            Destination::Known(path) => path,
+            Destination::Ask { name, .. } => PathBuf::from(name),
+        };
+        match contents(&path) {
+            Ok(bytes) => {
+                let name = path.file_name().unwrap_or_default();
+                download(&name.to_string_lossy(), &bytes);
+                self.news.leave(News::Written { errand, path });
+            }
+            Err(reason) => self.news.fail(errand, Some(path), reason),
+        }
+    }
+
+    fn work(&mut self, work: Box<dyn FnOnce() + Send>) {
+        work();
+        self.news.ctx.request_repaint();
+    }
+
+    fn poll(&mut self) -> Option<News> {
+        self.news.news.borrow_mut().pop_front()
+    }
+
+    fn keeps_paths(&self) -> bool {
+        false
+    }
+}
+
+async fn read(news: &Newsstand, errand: Errand, file: &web_sys::File) {
+    let path = PathBuf::from(file.name());
+    if let Some(reason) = errand.too_large(file.size() as u64) {
+        return news.fail(errand, Some(path), reason);
+    }
+    match JsFuture::from(file.array_buffer()).await {
+        Ok(bytes) => news.read(errand, path, Uint8Array::new(&bytes).to_vec()),
+        Err(_) => {
+            let reason = "the browser cannot read it; it may have changed since".to_owned();
+            news.fail(errand, Some(path), reason);
+        }
+    }
+}

@@ -1,0 +1,178 @@
+// The page around the window: decides what the window may use, loads it, and
+// says what there is to say before its first frame and after its last.
+
+import start, * as app from './sinew-page.js';
+
+const BYTES = Number('%PAGE_BYTES%');
+const query = new URLSearchParams(location.search);
+const canvas = document.getElementById('canvas');
+const cover = document.getElementById('cover');
+const trouble = document.getElementById('trouble');
+
+/** Whether the page is part of another one. */
+const embedded = query.has('embed');
+
+/** A worker for the solver, under way while the window is being loaded. */
+const worker = startWorker();
+
+let isReady = false;
+
+// What the window asks for and tells: see src/app/page.rs and
+// src/app/platform/web.rs.
+globalThis.sinew_page = {
+  canvas: () => canvas,
+  worker: () => worker,
+  wants_webgl: () => query.get('renderer') === 'webgl',
+  is_embedded: () => embedded,
+  wants_stillness: () => matchMedia('(prefers-reduced-motion: reduce)').matches,
+  ready,
+  crashed,
+  pick,
+  download: save,
+};
+
+function startWorker() {
+  if (query.get('solver') === 'inline') return undefined;
+  try {
+    return new Worker(new URL('worker.js', import.meta.url), { type: 'module', name: 'solver' });
+  } catch (error) {
+    console.warn('no worker for the solver, so the window solves by itself:', error);
+    return undefined;
+  }
+}
+
+function ready() {
+  isReady = true;
+  performance.mark('sinew-ready');
+  cover.classList.add('over');
+  setTimeout(() => cover.remove(), 300);
+  if (!embedded) canvas.focus({ preventScroll: true });
+}
+
+/** Shows what went wrong, and ways out of it. */
+function crashed(why, scene) {
+  // What follows from the first failure says less.
+  if (!trouble.hidden) return;
+  const title = isReady ? 'Sinew has stopped' : 'Sinew cannot start here';
+  const what = scene
+    ? 'This is a fault in the program. The scene can be saved to a file and opened again.'
+    : 'Reloading the page may help.';
+  show(title, what, why);
+  offer('.save', scene, (button) => button.addEventListener('click', () => save('saved-scene.toml', scene)));
+  const isWebgl = query.get('renderer') === 'webgl';
+  offer('.webgl', !isReady && !isWebgl, (link) => {
+    const other = new URLSearchParams(query);
+    other.set('renderer', 'webgl');
+    link.href = `?${other}${location.hash}`;
+  });
+  offer('.afresh', location.hash.length > 1, (link) => {
+    link.href = location.pathname + location.search;
+  });
+}
+
+function show(title, what, details) {
+  cover.remove();
+  trouble.querySelector('h1').textContent = title;
+  trouble.querySelector('.what').textContent = what;
+  trouble.querySelector('details').hidden = !details;
+  trouble.querySelector('pre').textContent = details;
+  trouble.querySelector('.reload').addEventListener('click', () => location.reload());
+  trouble.hidden = false;
+}
+
+function offer(name, wanted, prepare) {
+  if (!wanted) return;
+  const element = trouble.querySelector(name);
+  prepare(element);
+  element.hidden = false;
+}
+
+/** Resolves to a file of the user's choice, or to nothing. */
+function pick(endings) {
+  const input = document.createElement('input');
+  input.type = 'file';
+  input.accept = endings;
+  return new Promise((resolve) => {
+    input.addEventListener('change', () => resolve(input.files[0]));
+    input.addEventListener('cancel', () => resolve(undefined));
+    input.click();
+  });
+}
+
+/** Hands a file to the browser's downloads. */
+function save(name, contents) {
+  const link = document.createElement('a');
+  // What is in the program's memory changes.
+  const parts = typeof contents === 'string' ? contents : contents.slice();
+  link.href = URL.createObjectURL(new Blob([parts]));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+/** Whether the browser can draw at all. */
+async function canDraw() {
+  const context = document.createElement('canvas').getContext('webgl2');
+  if (context) {
+    context.getExtension('WEBGL_lose_context')?.loseContext();
+    return true;
+  }
+  if (query.get('renderer') === 'webgl') return false;
+  return Boolean(await navigator.gpu?.requestAdapter());
+}
+
+/** The window's program, with a bar that shows how much of it is there. */
+async function download() {
+  const response = await fetch(new URL('sinew-page_bg.wasm', import.meta.url));
+  if (!response.ok) throw new Error(`the server answers ${response.status}`);
+  const bar = document.getElementById('bar');
+  let seen = 0;
+  const watch = new TransformStream({
+    transform(chunk, controller) {
+      seen += chunk.length;
+      const percent = Math.min(100, Math.round((100 * seen) / BYTES));
+      bar.setAttribute('aria-valuenow', percent);
+      bar.firstElementChild.style.width = `${percent}%`;
+      controller.enqueue(chunk);
+    },
+  });
+  const headers = { 'Content-Type': 'application/wasm' };
+  return new Response(response.body.pipeThrough(watch), { headers });
+}
+
+/** In a page of its own the wheel is the window's; in another one it scrolls
+ * that, until the window was clicked. */
+function leaveWheel() {
+  const leave = (event) => {
+    if (document.activeElement !== canvas) event.stopImmediatePropagation();
+  };
+  canvas.addEventListener('wheel', leave, { capture: true });
+}
+
+function keepForOffline() {
+  // Where the page is not served over https, there is no offline.
+  navigator.serviceWorker?.register(new URL('../sw.js', import.meta.url)).catch((error) => {
+    console.info('the page will not open offline:', error);
+  });
+}
+
+canvas.addEventListener('webglcontextlost', () => {
+  crashed('The graphics processor was taken away from the page.', app.sinew_kept());
+});
+
+if (embedded) leaveWheel();
+if (await canDraw()) {
+  try {
+    await start({ module_or_path: await download() });
+    // Only a build for tests has it.
+    if (app.sinew_state) globalThis.sinew_test = app;
+    keepForOffline();
+  } catch (error) {
+    crashed(String(error?.message ?? error), '');
+  }
+} else {
+  const what =
+    'It draws with WebGPU or with WebGL 2, and this browser offers neither. A current Firefox, ' +
+    'Chrome, Edge or Safari does; hardware acceleration may have to be allowed in its settings.';
+  show('Sinew cannot draw here', what, '');
+}
