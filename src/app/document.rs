@@ -76,6 +76,18 @@ impl Document {
         self.scene != self.kept
     }
 
+    /// Whether something would be lost that cost work. Not where no file is
+    /// concerned and only the cable was pulled: playing with an example is no
+    /// work.
+    pub fn holds_work(&self) -> bool {
+        if self.file.is_some() {
+            return self.is_changed();
+        }
+        let mut played = self.kept.clone();
+        played.actuation.clone_from(&self.scene.actuation);
+        self.scene != played
+    }
+
     /// Notes that the scene is kept as it is.
     pub fn mark_kept(&mut self) {
         self.kept.clone_from(&self.scene);

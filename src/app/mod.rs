@@ -67,6 +67,8 @@ impl Sinew {
         preferences: Preferences,
     ) -> Result<Self, Vec<crate::scene::SceneError>> {
         look::install(ctx);
+        // Commands of the list do it, and what they do is kept.
+        ctx.options_mut(|options| options.zoom_with_keyboard = false);
         let scene = match scene {
             Some(scene) => scene,
             None => Scene::from_toml(FIRST).map_err(|fault| vec![fault])?,

@@ -4,9 +4,9 @@
 //! Its own few lines rather than a crate's, because they wrap on a phone, can
 //! be reached by keyboard and are read out by screen readers.
 
-use super::look::{Tokens, icon_font, icons};
+use super::look::{Tokens, icon_button, icon_font, icons};
 use eframe::egui::{
-    Align, Align2, Area, Button, Context, Frame, Id, Layout, Margin, Order, RichText, Ui, vec2,
+    Align, Align2, Area, Context, Frame, Id, Label, Layout, Margin, Order, RichText, Ui, vec2,
 };
 
 /// Seconds that a quiet notice stays.
@@ -106,15 +106,12 @@ impl Notices {
             .order(Order::Foreground)
             .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -72.0))
             .show(ctx, |ui| {
-                ui.set_max_width((ctx.content_rect().width() - 32.0).min(520.0));
-                ui.vertical_centered(|ui| {
-                    for (index, notice) in self.shown.iter().enumerate() {
-                        if show(ui, notice) {
-                            dismissed = Some(index);
-                        }
-                        ui.add_space(4.0);
+                ui.set_width((ctx.content_rect().width() - 32.0).min(400.0));
+                for (index, notice) in self.shown.iter().enumerate() {
+                    if show(ui, notice) {
+                        dismissed = Some(index);
                     }
-                });
+                }
             });
         if let Some(index) = dismissed {
             self.shown.remove(index);
@@ -133,23 +130,18 @@ fn show(ui: &mut Ui, notice: &Notice) -> bool {
     let frame = Frame::popup(ui.style())
         .corner_radius(10)
         .inner_margin(Margin::symmetric(12, 8));
-    let most = ui.available_width() - 24.0;
     frame
         .show(ui, |ui| {
             ui.horizontal(|ui| {
                 ui.spacing_mut().item_spacing.x = 8.0;
                 ui.label(RichText::new(glyph).font(icon_font(18.0)).color(colour));
-                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    ui.set_max_width(most - 64.0);
-                    ui.label(&notice.text);
+                let words = vec2(ui.available_width() - 36.0, 0.0);
+                let layout = Layout::left_to_right(Align::Center);
+                ui.allocate_ui_with_layout(words, layout, |ui| {
+                    ui.set_min_width(words.x);
+                    ui.add(Label::new(&notice.text).wrap());
                 });
-                let cross = Button::new(RichText::new(icons::X).font(icon_font(14.0)));
-                let cross = ui.add(cross.frame_when_inactive(false));
-                let name = "Dismiss";
-                cross.widget_info(|| {
-                    eframe::egui::WidgetInfo::labeled(eframe::egui::Role::Button, true, name)
-                });
-                cross.on_hover_text(name).clicked()
+                icon_button(ui, icons::X, "Dismiss").clicked()
             })
             .inner
         })

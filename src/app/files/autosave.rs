@@ -136,6 +136,15 @@ impl Mark {
             unsaved: state.files.unsaved.len(),
         }
     }
+
+    /// Whether nothing differs. Asked in every frame, so it copies nothing.
+    fn is_of(&self, state: &State) -> bool {
+        self.changed == state.document.is_changed()
+            && self.unsaved == state.files.unsaved.len()
+            && self.file == state.document.file
+            && self.preferences == state.preferences
+            && self.scene == state.document.scene
+    }
 }
 
 /// Stores it at once where anything differs, for the end of a gesture: an idle
@@ -144,10 +153,10 @@ pub fn store_settled(state: &mut State, storage: Option<&mut (dyn Storage + 'sta
     let Some(storage) = storage else {
         return;
     };
-    let now = Mark::of(state);
-    if state.files.stored.as_ref() != Some(&now) {
+    let known = state.files.stored.as_ref();
+    if !known.is_some_and(|mark| mark.is_of(state)) {
         store(state, storage);
         storage.flush();
-        state.files.stored = Some(now);
+        state.files.stored = Some(Mark::of(state));
     }
 }

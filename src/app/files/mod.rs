@@ -103,7 +103,7 @@ impl Files {
 /// Puts something in the place of the document, after asking where unsaved
 /// work would be lost.
 pub fn request(state: &mut State, intent: Intent, ctx: &Context) {
-    if state.document.is_changed() {
+    if state.document.holds_work() {
         state.sheets.guard = Some(intent);
     } else {
         carry_out(state, intent, ctx);
@@ -267,16 +267,15 @@ fn failed(state: &mut State, errand: Errand, path: Option<PathBuf>, reason: Stri
     });
 }
 
-/// A clause as a sentence.
+/// A clause as a sentence. A key of a scene stays as it is written there.
 pub fn sentence(clause: &str) -> String {
-    let mut letters = clause.chars();
-    let mut text: String = letters
-        .next()
-        .map(char::to_uppercase)
-        .into_iter()
-        .flatten()
-        .collect();
-    text.push_str(letters.as_str());
+    let first = clause.split_whitespace().next().unwrap_or_default();
+    let is_key = first.trim_end_matches('.').contains(['.', '_', '[']);
+    let mut text = clause.to_owned();
+    if let Some(letter) = clause.chars().next().filter(|_| !is_key) {
+        let capital = letter.to_uppercase().to_string();
+        text.replace_range(..letter.len_utf8(), &capital);
+    }
     if !text.ends_with(['.', '!', '?']) {
         text.push('.');
     }
@@ -336,7 +335,7 @@ pub fn guard_closing(state: &mut State, ctx: &Context) {
     if !ctx.input(|input| input.viewport().close_requested()) {
         return;
     }
-    if state.document.is_changed() && !state.files.closing {
+    if state.document.holds_work() && !state.files.closing {
         ctx.send_viewport_cmd(ViewportCommand::CancelClose);
         state.sheets.guard = Some(Intent::Close);
     } else {
@@ -360,6 +359,7 @@ mod tests {
     fn clauses_become_sentences() {
         assert_eq!(sentence("it is not there"), "It is not there.");
         assert_eq!(sentence("line 3 is odd."), "Line 3 is odd.");
+        assert_eq!(sentence("robot.length_mm is 0"), "robot.length_mm is 0.");
         assert_eq!(sentence(""), ".");
     }
 }

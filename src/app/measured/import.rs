@@ -6,10 +6,12 @@ use crate::app::files::{faults_of, sentence, shown};
 use crate::app::notices::Notice;
 use crate::app::sheets::Sheet;
 use crate::app::state::{Selection, State};
-use crate::experiments::Measured;
-use crate::experiments::measured_csv::Sheet as Table;
+use crate::experiments::measured_csv::{BackboneRow, Sheet as Table};
+use crate::experiments::{Measured, MeasuredPoint};
+use crate::geometry::Vector;
 use crate::model::Problem;
 use crate::scene::{Measurements, Scene};
+use crate::units::metres;
 use std::path::Path;
 
 /// Brings a table's measurements into the scene.
@@ -39,7 +41,10 @@ fn imported(scene: &Scene, bytes: &[u8]) -> Result<(Measurements, String), Vec<S
         Table::Backbone(rows) => format!("{} points of a backbone", rows.len()),
         Table::Forces(readings) => format!("{} force readings", readings.len()),
     };
-    let is_backbone = matches!(table, Table::Backbone(_));
+    let points = match &table {
+        Table::Backbone(rows) => rows.iter().map(point).collect(),
+        Table::Forces(_) => Vec::new(),
+    };
     let mut held = scene.measured.clone().unwrap_or_default();
     table.put_into(&mut held);
     let with = Scene {
@@ -47,10 +52,19 @@ fn imported(scene: &Scene, bytes: &[u8]) -> Result<(Measurements, String), Vec<S
         ..scene.clone()
     };
     let problem = Problem::parse(&with).map_err(|faults| faults_of(&faults))?;
-    if is_backbone {
-        Measured::of_scene(&held, &problem).map_err(|fault| one(&fault))?;
+    if !points.is_empty() {
+        Measured::new(points, &problem).map_err(|fault| one(&fault))?;
     }
     Ok((held, what))
+}
+
+/// A row's point, with the row for messages.
+fn point(row: &BackboneRow) -> MeasuredPoint {
+    MeasuredPoint {
+        row: row.row,
+        node: row.node.map(|node| node as usize),
+        position: Vector::new(metres(row.point_mm[0]), metres(row.point_mm[1])),
+    }
 }
 
 #[cfg(test)]

@@ -45,8 +45,10 @@ pub fn show(ui: &mut Ui, state: &mut State) {
             }
             ui.add_space(4.0);
             views(ui, state);
-            ui.add_space(4.0);
-            name(ui, state);
+            if width >= MIDDLING {
+                ui.add_space(4.0);
+                name(ui, state);
+            }
         });
     });
 }

@@ -5,7 +5,8 @@ use crate::app::commands::Command;
 use crate::app::look::{Tokens, icon_button, semibold};
 use crate::app::state::{Preferences, State};
 use eframe::egui::{
-    Align, Id, Layout, Popup, PopupCloseBehavior, RichText, Slider, ThemePreference, Ui,
+    Align, Frame, Id, Layout, Margin, Popup, PopupCloseBehavior, RichText, Slider, ThemePreference,
+    Ui,
 };
 
 /// The id of the settings' popover, to open it from elsewhere.
@@ -23,6 +24,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     Popup::menu(&button)
         .id(settings_id())
         .open_memory(None)
+        .frame(Frame::menu(ui.style()).inner_margin(Margin::same(12)))
         .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
         .show(|ui| contents(ui, &mut state.preferences));
 }

@@ -72,19 +72,21 @@ impl Photos {
     }
 }
 
-/// Reads the photograph that the scene names, unless it is known.
+/// Reads the photograph that the scene names; one that is known stays until
+/// it has been read anew.
 pub fn fetch(state: &mut State) {
     let Some(photo) = &state.document.scene.photo else {
         return;
     };
     let path = PathBuf::from(&photo.file);
-    if matches!(
-        state.photos.known.get(&path),
-        Some(Photograph::Here { .. } | Photograph::Coming)
-    ) {
-        return;
+    let known = &mut state.photos.known;
+    match known.get(&path) {
+        Some(Photograph::Coming) => return,
+        Some(Photograph::Here { .. }) => {}
+        Some(Photograph::Missing(_)) | None => {
+            known.insert(path.clone(), Photograph::Coming);
+        }
     }
-    state.photos.known.insert(path.clone(), Photograph::Coming);
     state.files.platform.read(Errand::KnownPhoto, path);
 }
 

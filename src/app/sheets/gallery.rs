@@ -14,8 +14,8 @@ use crate::model::Problem;
 use crate::view::{Bounds, Drawing, Frame, Notes, draw};
 use eframe::egui::emath::TSTransform;
 use eframe::egui::{
-    Align, Context, CornerRadius, Layout, Rect, RichText, Sense, Stroke, StrokeKind, Ui, UiBuilder,
-    Vec2, WidgetInfo, pos2, vec2,
+    Align, Context, CornerRadius, Layout, Painter, Rect, RichText, Sense, Stroke, StrokeKind, Ui,
+    UiBuilder, Vec2, WidgetInfo, pos2, vec2,
 };
 use web_time::{Duration, Instant};
 
@@ -209,7 +209,8 @@ fn miniature(ui: &Ui, drawing: &Drawing, window: Rect) {
         * TSTransform::from_translation(-corner);
     // A card that is scrolled half out of sight is cut there.
     let visible = ui.clip_rect().intersect(window);
-    let painter = ui.painter().with_clip_rect(smaller.inverse() * visible);
+    let clip = smaller.inverse() * visible;
+    let painter = Painter::new(ui.ctx().clone(), ui.layer_id(), clip);
     let inner = bounds(large.shrink(12.0));
     let frame = Frame {
         window: bounds(large),

@@ -65,7 +65,7 @@ const MODEL: &str = "A continuum robot is an elastic backbone with disks; a cabl
 /// What can be done with a pointer: where, with a mouse, with fingers.
 const GESTURES: &[(&str, &str)] = &[
     ("Move an obstacle", "drag it"),
-    ("Move the view", "drag the background, or two fingers"),
+    ("Move the view", "drag, or two fingers"),
     ("Zoom", "wheel, or pinch"),
     ("Select", "click or tap"),
     ("Pull the cable", "drag the slider below"),

@@ -14,8 +14,8 @@ use super::files::Intent;
 use super::look::{Tokens, icon_button, icons, semibold};
 use super::state::State;
 use eframe::egui::{
-    Align, Align2, Color32, Context, Frame, Id, Layout, Margin, Modal, RichText, ScrollArea, Ui,
-    vec2,
+    Align, Align2, Color32, Context, Frame, Id, Layout, Margin, Modal, RichText, ScrollArea,
+    Stroke, StrokeKind, Ui, vec2,
 };
 
 /// A sheet.
@@ -200,10 +200,25 @@ fn main_button(ui: &mut Ui, text: &str) -> eframe::egui::Response {
     };
     let text = RichText::new(text).font(semibold(14.0)).color(ink);
     let button = eframe::egui::Button::new(text).fill(tokens.accent);
-    ui.add(button.min_size(vec2(72.0, 32.0)))
+    ringed(ui, button.min_size(vec2(72.0, 32.0)))
+}
+
+/// A button with a ring around it while it has the focus.
+fn ringed(ui: &mut Ui, button: eframe::egui::Button<'_>) -> eframe::egui::Response {
+    let response = ui.add(button);
+    if response.has_focus() {
+        let stroke = Stroke::new(2.0, Tokens::in_ui(ui).accent);
+        let around = response.rect.expand(3.0);
+        ui.painter()
+            .rect_stroke(around, 8.0, stroke, StrokeKind::Inside);
+    }
+    response
 }
 
 /// Any other button of a sheet.
 fn plain_button(ui: &mut Ui, text: &str) -> eframe::egui::Response {
-    ui.add(eframe::egui::Button::new(text).min_size(vec2(72.0, 32.0)))
+    ringed(
+        ui,
+        eframe::egui::Button::new(text).min_size(vec2(72.0, 32.0)),
+    )
 }

@@ -64,7 +64,7 @@ fn score(title: &str, typed: &str) -> Option<i32> {
                 } else {
                     None
                 };
-                let joined = follows.map(|score| score + 5);
+                let joined = follows.map(|score| score + 10);
                 next[i] = left.max(joined).map(|score| score + worth);
             }
             if place > 0 {

@@ -76,21 +76,22 @@ pub(super) fn show(ctx: &Context, state: &mut State, trouble: &Trouble, fresh: b
         ui.add_space(16.0);
         let mut closed = false;
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let close = if trouble.offer.is_some() {
-                plain_button(ui, "Close")
-            } else {
-                main_button(ui, "Close")
-            };
-            closed = close.clicked();
-            let mut first = close;
-            if let Some((label, command)) = &trouble.offer {
-                let offer = main_button(ui, label);
-                if offer.clicked() {
-                    state.commands.push(*command);
-                    closed = true;
+            let first = match &trouble.offer {
+                Some((label, command)) => {
+                    let offer = main_button(ui, label);
+                    if offer.clicked() {
+                        state.commands.push(*command);
+                        closed = true;
+                    }
+                    closed |= plain_button(ui, "Close").clicked();
+                    offer
                 }
-                first = offer;
-            }
+                None => {
+                    let close = main_button(ui, "Close");
+                    closed = close.clicked();
+                    close
+                }
+            };
             if fresh {
                 first.request_focus();
             }
