@@ -171,7 +171,8 @@ const A_FRAME: usize = 4;
 impl Window {
     fn new() -> Self {
         let ctx = Context::default();
-        let backend = Box::new(Inline::to_the_end());
+        // A few at a time, as a busy thread would: requests overtake each other.
+        let backend = Box::new(Inline::by_slices(12));
         let app = Sinew::new(&ctx, None, backend, Preferences::default()).unwrap();
         let mut window = Self {
             ctx,

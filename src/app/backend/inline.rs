@@ -10,7 +10,15 @@ use web_time::{Duration, Instant};
 pub struct Inline {
     job: Timed,
     busy: bool,
-    patience: Option<Duration>,
+    patience: Patience,
+}
+
+/// How long one poll may take.
+#[derive(Clone, Copy, Debug)]
+enum Patience {
+    Endless,
+    Time(Duration),
+    Slices(usize),
 }
 
 impl Inline {
@@ -19,14 +27,22 @@ impl Inline {
         Self {
             job: Timed::default(),
             busy: false,
-            patience: None,
+            patience: Patience::Endless,
         }
     }
 
     /// Solves for at most about so long in one poll.
     pub fn sliced(patience: Duration) -> Self {
         Self {
-            patience: Some(patience),
+            patience: Patience::Time(patience),
+            ..Self::to_the_end()
+        }
+    }
+
+    /// Does so many slices of work in one poll: the same on every machine.
+    pub fn by_slices(count: usize) -> Self {
+        Self {
+            patience: Patience::Slices(count),
             ..Self::to_the_end()
         }
     }
@@ -40,12 +56,19 @@ impl SolverBackend for Inline {
 
     fn poll(&mut self) -> Option<Found> {
         let begin = Instant::now();
+        let mut slices = 0;
         while self.busy {
             match self.job.work() {
                 Slice::Found(found) => return Some(found),
                 Slice::Done => self.busy = false,
                 Slice::More => {
-                    if self.patience.is_some_and(|most| begin.elapsed() > most) {
+                    slices += 1;
+                    let over = match self.patience {
+                        Patience::Endless => false,
+                        Patience::Time(most) => begin.elapsed() > most,
+                        Patience::Slices(most) => slices >= most,
+                    };
+                    if over {
                         return None;
                     }
                 }
