@@ -194,6 +194,7 @@ impl Triangles {
         let count = outline.len() as u32;
         let start = self.vertices.len() as u32;
         // Rings: the foot, where it is open, the neck, the edge, the face.
+        #[expect(clippy::type_complexity, reason = "three rings of one outline")]
         let rings: [(&dyn Fn(&Corner) -> Point, f32); 3] = [
             (&|c| c.position.push(back), FOOT),
             (&|c| c.position.push(foot), 0.9),
