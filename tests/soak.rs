@@ -15,8 +15,8 @@ use sinew::equilibrium::Status;
 use sinew::model::Problem;
 use sinew::scene::{self, Scene};
 
-/// Runs, and things done in each.
-const RUNS: u32 = 4;
+/// Runs, and things done in each: 20 000 in all.
+const RUNS: u32 = 20;
 const ACTIONS: usize = 1000;
 
 /// Something done to the window.
