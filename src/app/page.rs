@@ -15,7 +15,7 @@ use super::platform::Web;
 use super::{Sinew, link};
 use crate::model::Problem;
 use crate::scene::Scene;
-use eframe::egui::{Context, Ui};
+use eframe::egui::{Context, FullOutput, Plugin, Ui, ViewportCommand};
 use eframe::{CreationContext, WebRunner};
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
@@ -33,6 +33,8 @@ extern "C" {
     fn is_embedded() -> bool;
     /// Whether nothing is to move by itself.
     fn wants_stillness() -> bool;
+    /// What the page is called.
+    fn title(text: &str);
     /// The window has its first frame.
     fn ready();
     /// The window is over; with the scene file that it had open.
@@ -105,6 +107,7 @@ impl Page {
         if let Some(why) = broken {
             window.state_mut().notices.tell(Notice::trouble(why));
         }
+        ctx.add_plugin(Title);
         #[cfg(feature = "web-test")]
         handle::watch(cc);
         Ok(Self {
@@ -169,6 +172,27 @@ fn backend(ctx: &Context) -> (Box<dyn SolverBackend>, Option<Rc<Arrived>>) {
             (Box::new(worker), Some(arrived))
         }
         None => (Box::new(Inline::sliced(SLICE)), None),
+    }
+}
+
+/// Passes the window's title on to the page, which eframe does not.
+struct Title;
+
+impl Plugin for Title {
+    fn debug_name(&self) -> &'static str {
+        "title"
+    }
+
+    fn output_hook(&mut self, _ctx: &Context, output: &mut FullOutput) {
+        for viewport in output.viewport_output.values_mut() {
+            viewport.commands.retain(|command| match command {
+                ViewportCommand::Title(text) => {
+                    title(text);
+                    false
+                }
+                _ => true,
+            });
+        }
     }
 }
 

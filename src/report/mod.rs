@@ -5,7 +5,8 @@
 pub mod chart;
 #[cfg(feature = "cli")]
 pub mod page;
-#[cfg(any(feature = "app", feature = "cli"))]
+// A browser rasterises by itself.
+#[cfg(all(any(feature = "app", feature = "cli"), not(target_arch = "wasm32")))]
 pub mod png;
 pub mod svg;
 mod text;

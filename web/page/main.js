@@ -13,7 +13,7 @@ const trouble = document.getElementById('trouble');
 const embedded = query.has('embed');
 
 /** A worker for the solver, under way while the window is being loaded. */
-const worker = startWorker();
+let worker = startWorker();
 
 let isReady = false;
 
@@ -29,12 +29,23 @@ globalThis.sinew_page = {
   crashed,
   pick,
   download: save,
+  download_pixels: savePixels,
+  address: () => location.href.split('#')[0],
+  title: (text) => {
+    document.title = text;
+  },
 };
 
 function startWorker() {
   if (query.get('solver') === 'inline') return undefined;
   try {
-    return new Worker(new URL('worker.js', import.meta.url), { type: 'module', name: 'solver' });
+    const started = new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
+    // The window listens later; until then it can only fail.
+    started.onmessage = started.onerror = (event) => {
+      console.warn('the solver cannot start, so the window solves by itself:', event.data);
+      worker = undefined;
+    };
+    return started;
   } catch (error) {
     console.warn('no worker for the solver, so the window solves by itself:', error);
     return undefined;
@@ -46,7 +57,12 @@ function ready() {
   performance.mark('sinew-ready');
   cover.classList.add('over');
   setTimeout(() => cover.remove(), 300);
-  if (!embedded) canvas.focus({ preventScroll: true });
+  // Not at once: the window, which calls this, would not notice. It takes the
+  // focus when it starts, which within another page is not its own to take.
+  setTimeout(() => {
+    if (embedded) document.activeElement?.blur();
+    else canvas.focus({ preventScroll: true });
+  });
 }
 
 /** Shows what went wrong, and ways out of it. */
@@ -103,11 +119,23 @@ function pick(endings) {
 function save(name, contents) {
   const link = document.createElement('a');
   // What is in the program's memory changes.
-  const parts = typeof contents === 'string' ? contents : contents.slice();
+  const parts = contents instanceof Uint8Array ? contents.slice() : contents;
   link.href = URL.createObjectURL(new Blob([parts]));
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+async function savePixels(name, svg, scale) {
+  const image = new Image();
+  image.src = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
+  await image.decode();
+  const pixels = document.createElement('canvas');
+  pixels.width = Math.round(scale * image.naturalWidth);
+  pixels.height = Math.round(scale * image.naturalHeight);
+  pixels.getContext('2d').drawImage(image, 0, 0, pixels.width, pixels.height);
+  URL.revokeObjectURL(image.src);
+  pixels.toBlob((blob) => save(name, blob), 'image/png');
 }
 
 /** Whether the browser can draw at all. */
@@ -144,7 +172,7 @@ async function download() {
  * that, until the window was clicked. */
 function leaveWheel() {
   const leave = (event) => {
-    if (document.activeElement !== canvas) event.stopImmediatePropagation();
+    if (document.activeElement === document.body) event.stopImmediatePropagation();
   };
   canvas.addEventListener('wheel', leave, { capture: true });
 }

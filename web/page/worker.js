@@ -62,7 +62,7 @@ function guarded(work) {
 }
 
 try {
-  await start();
+  await start({ module_or_path: new URL('sinew-worker_bg.wasm', import.meta.url) });
   guarded(() => {
     solver = new Solver();
   });

@@ -44,7 +44,7 @@ test('a broken link is told and opens the first example', async () => {
     [whole.slice(0, -20), 'end of the link is missing'],
     ['#s9.abc', 'version 9'],
     ['#anything', 'no link to a scene'],
-    [linkOf(SCENE.replace('= 18', '= 0')), 'segments'],
+    [linkOf(SCENE.replace('segments = 18', 'segments = 0')), 'segments'],
   ]) {
     const page = await open(link);
     const state = await page.state();
@@ -54,20 +54,33 @@ test('a broken link is told and opens the first example', async () => {
   }
 });
 
-test('within another page the wheel is that page\'s until the window is clicked', async () => {
+test("within another page the wheel is that page's until the window is clicked", async () => {
   const context = await site.browser.newContext({ viewport: { width: 900, height: 700 } });
+  const host = `${site.address}host`;
+  await context.route(host, (route) =>
+    route.fulfill({
+      contentType: 'text/html',
+      body: `<body style="margin:0;height:3000px"><iframe src="./?embed" width="800" height="600">`,
+    }),
+  );
   const tab = await context.newPage();
-  await tab.goto(`${site.address}?embed`);
-  const page = new Page(tab);
+  await tab.goto(host);
+  const page = new Page(tab, tab.frames()[1]);
   const first = await page.until('the robot is settled', (state) => state.settled);
-  const at = await page.pixel([30, 60]);
+  await page.frame();
+  const at = await page.pixel([60, 20]);
+  const scrolled = () => tab.evaluate(() => scrollY);
+
   await tab.mouse.move(at.x, at.y);
-  await tab.mouse.wheel(0, -240);
-  await page.frame();
-  await page.frame();
+  await tab.mouse.wheel(0, 40);
+  await tab.waitForFunction(() => scrollY > 0);
   assert.equal((await page.state()).points_per_mm, first.points_per_mm);
-  await tab.mouse.click(5, at.y);
-  await tab.mouse.move(at.x, at.y);
+
+  const before = await scrolled();
+  await tab.mouse.click(at.x, at.y);
   await tab.mouse.wheel(0, -240);
   await page.until('it zooms', (state) => state.points_per_mm > first.points_per_mm);
+  assert.equal(await scrolled(), before);
+  // What the visitor does there is not stored.
+  assert.deepEqual(await page.inside.evaluate(() => Object.keys(localStorage)), []);
 });

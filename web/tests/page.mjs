@@ -18,6 +18,10 @@ const FLAGS = [
   '--disable-quic',
 ];
 
+/** What Chromium says of drawing in software, and of the screenshots that are
+ * taken of it. */
+const EXPECTED = /No available adapters|Software rasterizer detected|GPU stall due to ReadPixels/;
+
 export function browse({ flags = [], ...options } = {}) {
   return chromium.launch({
     executablePath: process.env.BROWSER,
@@ -36,12 +40,15 @@ export class Page {
     return page;
   }
 
-  constructor(tab) {
+  /** The page in a tab, or in a frame of it. */
+  constructor(tab, frame = tab) {
     this.tab = tab;
+    this.inside = frame;
     /** What the page has complained of. */
     this.complaints = [];
     tab.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type())) this.complaints.push(message.text());
+      const isComplaint = ['error', 'warning'].includes(message.type());
+      if (isComplaint && !EXPECTED.test(message.text())) this.complaints.push(message.text());
     });
     tab.on('pageerror', (error) => this.complaints.push(String(error)));
   }
@@ -53,7 +60,7 @@ export class Page {
 
   /** What the window shows; nothing before its first frame. */
   async state() {
-    const text = await this.tab.evaluate(() => globalThis.sinew_test?.sinew_state());
+    const text = await this.inside.evaluate(() => globalThis.sinew_test?.sinew_state());
     return text ? JSON.parse(text) : undefined;
   }
 
@@ -72,12 +79,13 @@ export class Page {
   }
 
   frame() {
-    return this.tab.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
+    return this.inside.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
   }
 
   /** Where a point of the plane is on the page, in CSS pixels. */
   async pixel([x, y]) {
-    const at = await this.tab.evaluate((p) => [...globalThis.sinew_test.sinew_pixel(...p)], [x, y]);
+    const pixel = (at) => [...globalThis.sinew_test.sinew_pixel(...at)];
+    const at = await this.inside.evaluate(pixel, [x, y]);
     return { x: at[0], y: at[1] };
   }
 
@@ -129,7 +137,11 @@ export class Page {
   /** How many different colours the page's pixels have, and in which part of
    * them the most frequent one. */
   async colours() {
-    const png = await this.tab.screenshot();
+    return this.coloursOf(await this.tab.screenshot());
+  }
+
+  /** The same of a picture. */
+  async coloursOf(png) {
     return this.tab.evaluate(async (base64) => {
       const blob = await (await fetch(`data:image/png;base64,${base64}`)).blob();
       const image = await createImageBitmap(blob);

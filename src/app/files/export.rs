@@ -5,16 +5,13 @@ use crate::app::link;
 use crate::app::notices::Notice;
 use crate::app::platform::{Contents, Destination, Errand, PictureKind};
 use crate::app::state::State;
-use crate::report::{png, svg};
-use crate::view::Theme;
+use crate::report::svg;
+use crate::view::{Drawing, Theme};
 use eframe::egui::Context;
 use std::path::Path;
 
 /// Pixels of a PNG in a pixel of the picture.
-const SCALE: f64 = 2.0;
-
-/// What links start with on the desktop, where no address shows a scene.
-const SCHEME: &str = "sinew:";
+pub const SCALE: f64 = 2.0;
 
 /// Exports the robot and its obstacles as a picture, in the window's theme.
 pub fn picture(state: &mut State, kind: PictureKind, ctx: &Context) {
@@ -32,12 +29,26 @@ pub fn picture(state: &mut State, kind: PictureKind, ctx: &Context) {
         let size = svg::Size::suiting(&drawing);
         match kind {
             PictureKind::Svg => Ok(svg::render(&drawing, theme, size).into_bytes()),
-            PictureKind::Png => {
-                png::render(&drawing, theme, size, SCALE).map_err(|error| error.to_string())
-            }
+            PictureKind::Png => pixels(&drawing, theme, size),
         }
     });
     write(state, Errand::Picture(kind), name, contents);
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn pixels(drawing: &Drawing, theme: Theme, size: svg::Size) -> Result<Vec<u8>, String> {
+    let png = crate::report::png::render(drawing, theme, size, SCALE);
+    png.map_err(|error| error.to_string())
+}
+
+/// A browser makes the pixels itself, of lines that bring their fonts along:
+/// see [`crate::app::platform::Platform::write`] of the web.
+#[cfg(target_arch = "wasm32")]
+fn pixels(drawing: &Drawing, theme: Theme, size: svg::Size) -> Result<Vec<u8>, String> {
+    let picture = svg::render(drawing, theme, size);
+    let (start, rest) = picture.split_once('>').unwrap_or_default();
+    let fonts = crate::app::look::fonts_for_svg();
+    Ok(format!("{start}><style>{fonts}</style>{rest}").into_bytes())
 }
 
 /// Exports a plot as a picture or as its numbers.
@@ -67,7 +78,8 @@ fn write(state: &mut State, errand: Errand, name: String, contents: Contents) {
 pub fn copy_link(state: &mut State, ctx: &Context) {
     match link::encode(&state.document.scene) {
         Ok(fragment) => {
-            ctx.copy_text(format!("{SCHEME}{fragment}"));
+            let address = state.files.platform.address();
+            ctx.copy_text(format!("{address}{fragment}"));
             let told = "Copied a link that holds the whole scene";
             state.notices.tell(Notice::success(told));
         }

@@ -35,6 +35,21 @@ pub(super) fn install(ctx: &Context) {
     ctx.set_fonts(fonts);
 }
 
+/// The fonts as rules of a style sheet, for a picture that brings them along.
+#[cfg(target_arch = "wasm32")]
+pub fn fonts_for_svg() -> String {
+    use base64::Engine as _;
+    use base64::engine::general_purpose::STANDARD;
+    let rule = |(weight, bytes): (u32, &[u8])| {
+        let data = STANDARD.encode(bytes);
+        format!(
+            "@font-face{{font-family:Inter;font-weight:{weight};\
+             src:url(data:font/otf;base64,{data})}}"
+        )
+    };
+    [(400, REGULAR), (600, SEMIBOLD)].map(rule).concat()
+}
+
 /// The heavier of the two weights.
 pub fn semibold(size: f32) -> FontId {
     FontId::new(size, family(SEMIBOLD_NAME))

@@ -5,6 +5,8 @@ mod fonts;
 pub mod icons;
 mod style;
 
+#[cfg(target_arch = "wasm32")]
+pub use fonts::fonts_for_svg;
 pub use fonts::{icon_font, semibold};
 pub use style::{MOTION_SECONDS, Tokens, colour, icon, icon_button, theme_of};
 

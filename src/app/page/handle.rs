@@ -160,7 +160,8 @@ impl Plugin for Widgets {
         };
         self.0.clear();
         for (_, node) in &update.nodes {
-            if let (Some(name), Some(area)) = (node.label(), node.bounds()) {
+            let name = node.label().or(node.value());
+            if let (Some(name), Some(area)) = (name, node.bounds()) {
                 let area = [area.x0, area.y0, area.x1 - area.x0, area.y1 - area.y0];
                 self.0.insert(name.to_owned(), json!(area));
             }

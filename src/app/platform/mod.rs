@@ -169,6 +169,12 @@ pub trait Platform {
     /// What has become of an errand, if anything has.
     fn poll(&mut self) -> Option<News>;
 
+    /// What links to scenes start with: the page's address in a browser; on the
+    /// desktop, where no address shows a scene, `sinew:`.
+    fn address(&self) -> String {
+        "sinew:".to_owned()
+    }
+
     /// Whether a path that was read or written can be read or written again
     /// without asking the user. So on a desktop; in a browser never.
     fn keeps_paths(&self) -> bool;

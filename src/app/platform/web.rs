@@ -2,7 +2,8 @@
 //! where its downloads go. It tells nobody where that is, so no file can be
 //! opened or written again without the user.
 
-use super::{Contents, Destination, Errand, News, Platform};
+use super::{Contents, Destination, Errand, News, PictureKind, Platform};
+use crate::app::files::export::SCALE;
 use eframe::egui::{Context, DroppedFileHandle};
 use js_sys::{Promise, Uint8Array};
 use std::cell::RefCell;
@@ -19,6 +20,11 @@ extern "C" {
     fn pick(endings: &str) -> Promise;
     /// Hands a file to the browser's downloads.
     fn download(name: &str, bytes: &[u8]);
+    /// The same with a picture of lines, as pixels, so many for each of its
+    /// own.
+    fn download_pixels(name: &str, svg: &str, scale: f64);
+    /// The page's address without its fragment.
+    fn address() -> String;
 }
 
 /// The browser around a window.
@@ -102,8 +108,14 @@ impl Platform for Web {
         };
         match contents(&path) {
             Ok(bytes) => {
-                let name = path.file_name().unwrap_or_default();
-                download(&name.to_string_lossy(), &bytes);
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                match errand {
+                    Errand::Picture(PictureKind::Png) => {
+                        let svg = String::from_utf8_lossy(&bytes);
+                        download_pixels(&name, &svg, SCALE);
+                    }
+                    _ => download(&name, &bytes),
+                }
                 self.news.leave(News::Written { errand, path });
             }
             Err(reason) => self.news.fail(errand, Some(path), reason),
@@ -117,6 +129,10 @@ impl Platform for Web {
 
     fn poll(&mut self) -> Option<News> {
         self.news.news.borrow_mut().pop_front()
+    }
+
+    fn address(&self) -> String {
+        address()
     }
 
     fn keeps_paths(&self) -> bool {
