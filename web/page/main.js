@@ -30,6 +30,7 @@ globalThis.sinew_page = {
   pick,
   download: save,
   download_pixels: savePixels,
+  decode,
   address: () => location.href.split('#')[0],
   title: (text) => {
     document.title = text;
@@ -136,6 +137,20 @@ async function savePixels(name, svg, scale) {
   pixels.getContext('2d').drawImage(image, 0, 0, pixels.width, pixels.height);
   URL.revokeObjectURL(image.src);
   pixels.toBlob((blob) => save(name, blob), 'image/png');
+}
+
+/** A picture's sides, those with which it is shown, and its pixels then. */
+async function decode(bytes, most) {
+  const picture = await createImageBitmap(new Blob([bytes.slice()]));
+  const scale = Math.min(1, most / Math.max(picture.width, picture.height));
+  const canvas = document.createElement('canvas');
+  canvas.width = Math.max(1, Math.round(scale * picture.width));
+  canvas.height = Math.max(1, Math.round(scale * picture.height));
+  const context = canvas.getContext('2d');
+  context.imageSmoothingQuality = 'high';
+  context.drawImage(picture, 0, 0, canvas.width, canvas.height);
+  const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+  return [picture.width, picture.height, canvas.width, canvas.height, data];
 }
 
 /** Whether the browser can draw at all. */

@@ -2,26 +2,14 @@
 //! them: what is too large is refused with its numbers before any pixel is
 //! decoded.
 
+use super::{Decoded, MOST_SIDE, SHOWN_SIDE};
 use eframe::egui::{Color32, ColorImage};
 use image::{DynamicImage, ImageDecoder as _, ImageFormat, ImageReader, Limits};
 use std::io::Cursor;
 
-/// The most pixels on a side of a photograph.
-const MOST_SIDE: u32 = 8192;
 /// The most memory that decoding one may take, in bytes: that of its pixels
 /// at most, and as much again.
 const MOST_BYTES: u64 = 2 * 4 * (MOST_SIDE as u64) * (MOST_SIDE as u64);
-/// The most pixels on a side that are shown; a screen has not many more.
-const SHOWN_SIDE: u32 = 2048;
-
-/// A decoded photograph.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Decoded {
-    /// Its pixels, at most 2048 on a side, the right way up.
-    pub image: ColorImage,
-    /// Width and height in the file, in pixels, the right way up.
-    pub size: [u32; 2],
-}
 
 /// The photograph in a file's bytes.
 ///
@@ -30,7 +18,7 @@ pub struct Decoded {
 pub fn decode(bytes: &[u8]) -> Result<Decoded, String> {
     let format = image::guess_format(bytes).ok();
     let Some(format @ (ImageFormat::Png | ImageFormat::Jpeg)) = format else {
-        return Err("it is neither a PNG nor a JPEG picture; save it as one of these".to_owned());
+        return Err(super::neither());
     };
     let mut limits = Limits::default();
     limits.max_alloc = Some(MOST_BYTES);
@@ -39,10 +27,7 @@ pub fn decode(bytes: &[u8]) -> Result<Decoded, String> {
     let mut decoder = reader.into_decoder().map_err(|error| damaged(&error))?;
     let (width, height) = decoder.dimensions();
     if width > MOST_SIDE || height > MOST_SIDE {
-        return Err(format!(
-            "it has {width} × {height} pixels, and a photograph may have {MOST_SIDE} on a side; \
-             make it smaller"
-        ));
+        return Err(super::too_large(width, height));
     }
     if width == 0 || height == 0 {
         return Err("it has no pixels".to_owned());

@@ -47,6 +47,11 @@ impl Platform for Detached {
         work();
     }
 
+    #[cfg(target_arch = "wasm32")]
+    fn decode(&mut self, _bytes: Vec<u8>, give: super::Taker) {
+        give(Err("this window has no access to files".to_owned()));
+    }
+
     fn poll(&mut self) -> Option<News> {
         self.news.pop_front()
     }

@@ -17,6 +17,7 @@ pub use native::Native;
 #[cfg(all(target_arch = "wasm32", feature = "web"))]
 pub use web::Web;
 
+use crate::app::photo::Decoded;
 use crate::scene::MAX_FILE_BYTES;
 use eframe::egui::DroppedFileHandle;
 use std::path::{Path, PathBuf};
@@ -100,6 +101,9 @@ impl Errand {
 /// be made.
 pub type Contents = Box<dyn FnOnce(&Path) -> Result<Vec<u8>, String> + Send>;
 
+/// Whoever takes a photograph.
+pub type Taker = Box<dyn FnOnce(Result<Decoded, String>) + Send>;
+
 /// Where a file goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Destination {
@@ -165,6 +169,17 @@ pub trait Platform {
     /// Does work while the window goes on, where there are threads; elsewhere
     /// at once. Asks for a frame when it is done.
     fn work(&mut self, work: Box<dyn FnOnce() + Send>);
+
+    /// Decodes a photograph like [`Platform::work`], and gives it to someone:
+    /// or a clause, with `it` for the file, on why it cannot be shown.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn decode(&mut self, bytes: Vec<u8>, give: Taker) {
+        self.work(Box::new(move || give(crate::app::photo::decode(&bytes))));
+    }
+
+    /// The same, by the browser, which can do it already.
+    #[cfg(target_arch = "wasm32")]
+    fn decode(&mut self, bytes: Vec<u8>, give: Taker);
 
     /// What has become of an errand, if anything has.
     fn poll(&mut self) -> Option<News>;

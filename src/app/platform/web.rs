@@ -2,10 +2,11 @@
 //! where its downloads go. It tells nobody where that is, so no file can be
 //! opened or written again without the user.
 
-use super::{Contents, Destination, Errand, News, PictureKind, Platform};
+use super::{Contents, Destination, Errand, News, PictureKind, Platform, Taker};
 use crate::app::files::export::SCALE;
-use eframe::egui::{Context, DroppedFileHandle};
-use js_sys::{Promise, Uint8Array};
+use crate::app::photo::{Decoded, MOST_SIDE, SHOWN_SIDE, neither, too_large};
+use eframe::egui::{ColorImage, Context, DroppedFileHandle};
+use js_sys::{Array, Promise, Uint8Array};
 use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
@@ -23,6 +24,10 @@ extern "C" {
     /// The same with a picture of lines, as pixels, so many for each of its
     /// own.
     fn download_pixels(name: &str, svg: &str, scale: f64);
+    /// A picture's bytes as its width and height, the right way up; those with
+    /// which it is shown, at most so many pixels; and its pixels then, red,
+    /// green, blue and opacity. Rejects what is no picture.
+    fn decode(bytes: &[u8], most: u32) -> Promise;
     /// The page's address without its fragment.
     fn address() -> String;
 }
@@ -131,6 +136,14 @@ impl Platform for Web {
         self.news.news.borrow_mut().pop_front()
     }
 
+    fn decode(&mut self, bytes: Vec<u8>, give: Taker) {
+        let ctx = self.news.ctx.clone();
+        spawn_local(async move {
+            give(decoded(&bytes).await);
+            ctx.request_repaint();
+        });
+    }
+
     fn address(&self) -> String {
         address()
     }
@@ -138,6 +151,28 @@ impl Platform for Web {
     fn keeps_paths(&self) -> bool {
         false
     }
+}
+
+/// The photograph in a file's bytes.
+async fn decoded(bytes: &[u8]) -> Result<Decoded, String> {
+    let is_known = bytes.starts_with(b"\x89PNG\r\n\x1a\n") || bytes.starts_with(b"\xff\xd8\xff");
+    if !is_known {
+        return Err(neither());
+    }
+    let damaged = |_| "it is damaged; save it again".to_owned();
+    let parts = JsFuture::from(decode(bytes, SHOWN_SIDE)).await;
+    let parts = Array::from(&parts.map_err(damaged)?);
+    let side = |index| parts.get(index).as_f64().unwrap_or_default() as u32;
+    let size = [side(0), side(1)];
+    if size.iter().any(|side| *side > MOST_SIDE) {
+        return Err(too_large(size[0], size[1]));
+    }
+    let shown = [side(2) as usize, side(3) as usize];
+    let pixels = Uint8Array::new(&parts.get(4)).to_vec();
+    Ok(Decoded {
+        image: ColorImage::from_rgba_unmultiplied(shown, &pixels),
+        size,
+    })
 }
 
 async fn read(news: &Newsstand, errand: Errand, file: &web_sys::File) {
