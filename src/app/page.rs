@@ -223,6 +223,10 @@ impl eframe::App for Page {
         }
     }
 
+    fn persist_egui_memory(&self) -> bool {
+        !is_embedded()
+    }
+
     fn auto_save_interval(&self) -> std::time::Duration {
         self.window.auto_save_interval()
     }

@@ -190,6 +190,7 @@ function leaveWheel() {
     if (document.activeElement === document.body) event.stopImmediatePropagation();
   };
   canvas.addEventListener('wheel', leave, { capture: true });
+  document.documentElement.classList.add('embedded');
 }
 
 function keepForOffline() {

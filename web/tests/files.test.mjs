@@ -72,6 +72,27 @@ test('a picture is exported as lines and as pixels', async () => {
   assert.ok(different > 100, `${different} colours`);
 });
 
+test('a photograph is laid behind the robot, a damaged one is refused', async () => {
+  const page = await open();
+  const lay = async (name, buffer) => {
+    const [chooser] = await Promise.all([
+      page.tab.waitForEvent('filechooser'),
+      page.tab.keyboard.press('Control+Shift+I'),
+    ]);
+    await chooser.setFiles({ name, mimeType: '', buffer });
+  };
+  const photo = await page.tab.screenshot({ type: 'jpeg' });
+  await lay('photo.jpg', photo);
+  await page.until('it is there', (state) =>
+    state.notices.includes('Laid photo.jpg behind the robot'),
+  );
+  await lay('cut.png', (await page.tab.screenshot()).subarray(0, 60));
+  await page.until('it is refused', (state) => {
+    const told = Object.keys(state.widgets).join();
+    return told.includes('cut.png cannot be laid') && told.includes('It is damaged');
+  });
+});
+
 test('work that was not saved is offered again', async () => {
   const page = await open();
   const first = await page.state();
