@@ -50,6 +50,8 @@ export class Page {
       const isComplaint = ['error', 'warning'].includes(message.type());
       if (isComplaint && !EXPECTED.test(message.text())) this.complaints.push(message.text());
     });
+    // From the start: whoever begins to listen when the chooser opens is late.
+    tab.on('filechooser', () => {});
     tab.on('pageerror', (error) => this.complaints.push(String(error)));
   }
 
