@@ -65,25 +65,6 @@ pub fn sinew_pixel(x_mm: f64, y_mm: f64) -> Option<Vec<f64>> {
     })
 }
 
-/// Solves the scene anew from the straight robot.
-#[wasm_bindgen]
-pub fn sinew_restart() {
-    RUNNER.with(|runner| {
-        if let Some(mut page) = runner
-            .borrow()
-            .as_ref()
-            .and_then(WebRunner::app_mut::<Page>)
-        {
-            page.window.state_mut().restart();
-        }
-    });
-    WATCHED.with(|watched| {
-        if let Some(watched) = &*watched.borrow() {
-            watched.ctx.request_repaint();
-        }
-    });
-}
-
 /// Fails as a fault in the program would.
 #[wasm_bindgen]
 pub fn sinew_panic() {
