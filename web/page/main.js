@@ -95,6 +95,7 @@ function show(title, what, details) {
   trouble.querySelector('pre').textContent = details;
   trouble.querySelector('.reload').addEventListener('click', () => location.reload());
   trouble.hidden = false;
+  trouble.querySelector('.reload').focus();
 }
 
 function offer(name, wanted, prepare) {
