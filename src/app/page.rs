@@ -45,7 +45,7 @@ extern "C" {
 pub fn open() {
     // Fails only where there is a logger already.
     let _ = eframe::WebLogger::init(log::LevelFilter::Warn);
-    kept::on_panic(|why, scene| crashed(why, scene));
+    kept::on_panic(crashed);
     wasm_bindgen_futures::spawn_local(run(WebRunner::new()));
 }
 
