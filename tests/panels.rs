@@ -3,7 +3,7 @@
 
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Theme, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::kittest::Queryable;
 use sinew::app::backend::Inline;
 use sinew::app::panels::tables;
 use sinew::app::{Preferences, Selection, Sinew, State};

@@ -172,7 +172,7 @@ impl Window {
     fn new() -> Self {
         let ctx = Context::default();
         // A few at a time, as a busy thread would: requests overtake each other.
-        let backend = Box::new(Inline::by_slices(12));
+        let backend = Box::new(Inline::by_slices(3));
         let app = Sinew::new(&ctx, None, backend, Preferences::default()).unwrap();
         let mut window = Self {
             ctx,

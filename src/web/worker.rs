@@ -24,7 +24,9 @@ mod solver {
         #[wasm_bindgen(constructor)]
         pub fn new() -> Self {
             // What a panic says, as the error that the caller sees.
-            std::panic::set_hook(Box::new(|panic| throw_str(&panic.to_string())));
+            std::panic::set_hook(Box::new(|panic| {
+                wasm_bindgen::throw_str(&panic.to_string())
+            }));
             Self::default()
         }
 

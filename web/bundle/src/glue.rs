@@ -1,6 +1,6 @@
 //! The script between a program and its page.
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use std::path::Path;
 use wasm_bindgen_cli_support::Bindgen;
 
@@ -10,6 +10,8 @@ pub struct Glued {
     pub name: String,
     /// The module that loads it.
     pub script: String,
+    /// The pieces of script that the module loads, with their paths from it.
+    pub pieces: Vec<(String, String)>,
     /// The program.
     pub wasm: Vec<u8>,
 }
@@ -25,11 +27,20 @@ pub fn glue(program: &Path) -> Result<Glued> {
         .remove_name_section(true)
         .remove_producers_section(true)
         .generate_output()?;
-    // Pieces of script beside the module would need addresses of their own.
-    ensure!(output.snippets().is_empty() && output.local_modules().is_empty());
+    let mut pieces = Vec::new();
+    for (of, inline) in output.snippets() {
+        let inline = inline.iter().enumerate();
+        pieces.extend(
+            inline.map(|(index, js)| (format!("snippets/{of}/inline{index}.js"), js.clone())),
+        );
+    }
+    for (path, js) in output.local_modules() {
+        pieces.push((format!("snippets/{path}"), js.clone()));
+    }
     Ok(Glued {
         name,
         script: output.js().to_owned(),
+        pieces,
         wasm: output.wasm_mut().emit_wasm(),
     })
 }

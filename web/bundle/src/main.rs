@@ -27,6 +27,8 @@ fn main() -> Result<()> {
         let glued = glue::glue(program).with_context(|| program.display().to_string())?;
         let small = optimise::optimise(wasm_opt, &glued.wasm, scratch)?;
         app.push((format!("{}.js", glued.name), glued.script.into_bytes()));
+        let pieces = glued.pieces.into_iter();
+        app.extend(pieces.map(|(path, script)| (path, script.into_bytes())));
         app.push((format!("{}_bg.wasm", glued.name), small));
     }
     let source = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../page");

@@ -68,9 +68,10 @@ impl Site {
             fs::remove_dir_all(out)?;
         }
         let folder = out.join(&self.folder);
-        fs::create_dir_all(&folder)?;
-        for (name, bytes) in &self.app {
-            fs::write(folder.join(name), bytes)?;
+        for (path, bytes) in &self.app {
+            let file = folder.join(path);
+            fs::create_dir_all(file.parent().unwrap_or(&folder))?;
+            fs::write(file, bytes)?;
         }
         for (name, bytes) in &self.beside {
             fs::write(out.join(name), bytes)?;
