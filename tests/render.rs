@@ -178,7 +178,13 @@ fn contour_lines_lie_where_they_should() {
     let spacing = contour_spacing(&frame) * frame.scale;
     let screen = Offscreen::new();
     for theme in [Theme::Light, Theme::Dark] {
-        let image = field_image(&screen, &frame, &[disc.clone()], theme, [0, 0, 0, 0]);
+        let image = field_image(
+            &screen,
+            &frame,
+            std::slice::from_ref(&disc),
+            theme,
+            [0, 0, 0, 0],
+        );
         // Along a row through the centre, outward from the surface.
         let row: Vec<f64> = (241..399).map(|x| f64::from(image.at(x, 200)[3])).collect();
         for (i, alpha) in row.iter().enumerate() {

@@ -337,7 +337,7 @@ fn nothing_breaks_the_window_and_undo_leads_back() {
     let config = Config {
         cases: RUNS,
         failure_persistence: None,
-        max_shrink_iters: 200,
+        max_shrink_iters: 0,
         ..Config::default()
     };
     let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
@@ -354,6 +354,10 @@ fn nothing_breaks_the_window_and_undo_leads_back() {
         }
         window.release();
         window.frame();
+        if window.app.state().transport.is_playing() {
+            window.command(Command::Play);
+            window.frame();
+        }
         let end = window.scene().clone();
         for _ in 0..ACTIONS {
             if !Command::Undo.is_enabled(window.app.state()) {

@@ -83,13 +83,13 @@ impl Live {
                     // known already.
                     let newest = self.shape.as_ref().map_or(0, |known| known.generation);
                     if shape.generation > newest {
-                        self.shape = Some(shape);
+                        self.shape = Some(*shape);
                         self.time = found.time;
                         news = true;
                     }
                 }
                 Update::Path { generation, path } => {
-                    self.path = Some(Arc::new(path));
+                    self.path = Some(Arc::from(path));
                     self.path_revision += 1;
                     self.path_is_current = generation >= self.course;
                     news = true;

@@ -194,6 +194,7 @@ impl Triangles {
         let count = outline.len() as u32;
         let start = self.vertices.len() as u32;
         // Rings: the foot, where it is open, the neck, the edge, the face.
+        #[expect(clippy::type_complexity, reason = "three rings of one outline")]
         let rings: [(&dyn Fn(&Corner) -> Point, f32); 3] = [
             (&|c| c.position.push(back), FOOT),
             (&|c| c.position.push(foot), 0.9),
@@ -355,7 +356,7 @@ mod tests {
         /// Everything is finite, normals are unit vectors, and triangles face
         /// the way their normals point.
         pub fn check(&self) {
-            assert!(!self.indices.is_empty() && self.indices.len() % 3 == 0);
+            assert!(!self.indices.is_empty() && self.indices.len().is_multiple_of(3));
             for [(a, n), (b, m), (c, o)] in self.corners() {
                 for normal in [n, m, o] {
                     assert!((normal.norm() - 1.0).abs() < 1e-5, "{normal}");

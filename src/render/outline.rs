@@ -85,6 +85,7 @@ fn grown(vertices: &[Vector], radius: f64, origin: Vector, bevel: f64) -> (Vec<C
     };
     let flat = |v: Vector| Flat::new(v.x as f32, v.y as f32);
     let mut corners = Vec::new();
+    #[expect(clippy::needless_range_loop, reason = "neighbours are looked at too")]
     for i in 0..count {
         let (before, after) = (normal((i + count - 1) % count), normal(i));
         let vertex = vertices[i] - origin;

@@ -165,7 +165,7 @@ pub fn mesh(
             shown = shown.and(extent(&corners, origin));
         }
     }
-    add_disks(&mut solids, problem, nodes, sizes, &flat, |index| {
+    add_disks(&mut solids, problem, nodes, sizes, flat, |index| {
         let colour = |share| theme.contact(share);
         match pressed(index) {
             Some(share) if !standing.is_greyed() => glowing(colour(share), share),

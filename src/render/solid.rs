@@ -364,7 +364,7 @@ fn slot(
         solids: Geometry::default(),
         overlay: Geometry::default(),
         glows: Geometry::default(),
-        casting: gpu::group(device, casting, &[whole.clone()]),
+        casting: gpu::group(device, casting, std::slice::from_ref(&whole)),
         seeing: gpu::group(
             device,
             seeing,

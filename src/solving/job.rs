@@ -93,7 +93,7 @@ impl Job {
                     placed: run.obstacles_are_placed(),
                 };
                 self.request = None;
-                Work::Found(Update::Shape(shape))
+                Work::Found(Update::Shape(Box::new(shape)))
             }
         }
     }
@@ -109,7 +109,7 @@ impl Job {
             }
             Progress::Done => Work::Found(Update::Path {
                 generation: course.generation,
-                path: run.finish(),
+                path: Box::new(run.finish()),
             }),
         }
     }

@@ -44,14 +44,14 @@ pub enum StartFrom {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub enum Update {
     /// The robot's shape; soon after the request.
-    Shape(Shape),
+    Shape(Box<Shape>),
     /// What the robot does along its pull; when there is nothing more urgent,
     /// and only where anything but the pull has changed.
     Path {
         /// The request from which on it holds.
         generation: u64,
         /// From the straight robot over the request's span.
-        path: Path,
+        path: Box<Path>,
     },
 }
 
