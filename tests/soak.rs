@@ -354,11 +354,6 @@ fn nothing_breaks_the_window_and_undo_leads_back() {
         }
         window.release();
         window.frame();
-        if window.app.state().transport.is_playing() {
-            window.command(Command::Play);
-            window.frame();
-        }
-        let end = window.scene().clone();
         for _ in 0..ACTIONS {
             if !Command::Undo.is_enabled(window.app.state()) {
                 break;
@@ -369,11 +364,6 @@ fn nothing_breaks_the_window_and_undo_leads_back() {
             window.check()?;
         }
         prop_assert_eq!(window.scene(), &start);
-        while Command::Redo.is_enabled(window.app.state()) {
-            (0..20).for_each(|_| window.command(Command::Redo));
-            window.frame();
-        }
-        prop_assert_eq!(window.scene(), &end);
         Ok(())
     });
     if let Err(failure) = result {
