@@ -695,10 +695,15 @@ fn every_sheet_can_be_drawn() {
     let desk = Desk::default();
     desk.put("/home/a/broken.toml", "version = 1\n[robot]\nlength_mm = -180\nsegments = 0\ncable_offset_mm = 8\n[actuation]\npull_mm = 5\n");
     desk.put("/home/a/robot.png", png(640, 480));
+    let table = "x_mm,y_mm\n0.2,20\n1.1,41\n4.5,65\n11,92\n19,113\n31,137\n46,163\n";
+    desk.put("/home/a/measured.csv", table);
     let folder = std::env::var_os("PICTURES");
     for (theme, called) in [(Theme::Light, "light"), (Theme::Dark, "dark")] {
         for (size, wide) in [(SIZE, "wide"), ([390.0, 780.0], "phone")] {
-            let mut window = window_with(&desk, Stored::default(), size, theme);
+            let mut earlier = window_with(&desk, Stored::default(), size, theme);
+            edit(&mut earlier);
+            let stored = Stored::of(Some(&stored_by(&mut earlier)));
+            let mut window = window_with(&desk, stored, size, theme);
             let save = |window: &mut Window, name: &str| {
                 let picture = window.render().unwrap();
                 if let Some(folder) = &folder {
@@ -707,6 +712,7 @@ fn every_sheet_can_be_drawn() {
                 }
             };
             save(&mut window, "window");
+            press(&mut window, "Discard");
             ctrl(&mut window, Key::E);
             save(&mut window, "gallery");
             window.key_press(Key::Escape);
@@ -735,6 +741,12 @@ fn every_sheet_can_be_drawn() {
             drop_on(&mut window, &desk, "/home/a/broken.toml");
             save(&mut window, "faults");
             press(&mut window, "Close");
+            drop_on(&mut window, &desk, "/home/a/measured.csv");
+            pull(&mut window, 4.0);
+            if size == SIZE {
+                press(&mut window, "Find the best pull");
+            }
+            save(&mut window, "measured");
             drop_on(&mut window, &desk, "/home/a/robot.png");
             save(&mut window, "photo");
             ctrl(&mut window, Key::N);

@@ -135,7 +135,8 @@ fn show(ui: &mut Ui, notice: &Notice) -> bool {
             ui.horizontal(|ui| {
                 ui.spacing_mut().item_spacing.x = 8.0;
                 ui.label(RichText::new(glyph).font(icon_font(18.0)).color(colour));
-                let words = vec2(ui.available_width() - 36.0, 0.0);
+                let height = ui.spacing().interact_size.y;
+                let words = vec2(ui.available_width() - 36.0, height);
                 let layout = Layout::left_to_right(Align::Center);
                 ui.allocate_ui_with_layout(words, layout, |ui| {
                     ui.set_min_width(words.x);

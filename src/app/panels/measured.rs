@@ -76,7 +76,8 @@ fn distances(ui: &mut Ui, of: &str, fit: &ShapeFit, length: f64) {
             for (name, distance) in [("RMS distance", fit.rms), ("Greatest", fit.max)] {
                 ui.label(name);
                 ui.label(Quantity::fixed(millimetres(distance), 2, "mm").text());
-                ui.weak(Quantity::fixed(100.0 * distance / length, 2, "% of length").text());
+                let share = Quantity::fixed(100.0 * distance / length, 2, "%");
+                ui.weak(share.text()).on_hover_text("Of the robot's length");
                 ui.end_row();
             }
         });
