@@ -852,8 +852,9 @@ fn a_scene_gives_its_own_stiffness_and_calibration() {
         [[measured.force]]\nload_g = 50\nforce_g = 3.5\n
         [[measured.force]]\nload_g = 250\nforce_g = 17.8\n";
     let text = String::from_utf8(extended("load-cell", measured)).unwrap();
-    let stiff = "cable_offset_mm = 8\nbending_stiffness_nmm2 = 8747.09";
-    let scene = text.replacen("cable_offset_mm = 8", stiff, 1);
+    let stiff = "bending_stiffness_nmm2 = 8747.09";
+    let scene = text.replacen("bending_stiffness_nmm2 = 8000", stiff, 1);
+    assert_ne!(scene, text);
     let force = |options: &[&str]| {
         let args = [&["force", "-", "--format", "json"], options].concat();
         json_of_input(&args, scene.as_bytes())

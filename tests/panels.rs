@@ -413,7 +413,7 @@ fn the_contacts_table_selects_and_tells_forces_where_they_are_known() {
         tables::contacts(ui, state, Some(&forces));
     };
     let mut table = table(with_forces, Selection::Nothing);
-    table.get_by_label("Force, N");
+    table.get_by_label("Force, g");
     let rows: Vec<_> = table.query_all_by_label_contains(" presses on ").collect();
     assert_eq!(rows.len(), 2);
     rows[1].click();

@@ -98,7 +98,7 @@ fn snapshot(drawing: &Drawing) -> String {
         Standing::Greyed { what, reason } => writeln!(out, "greyed {what}: {reason}").unwrap(),
     }
     if let Some(most) = &drawing.most {
-        writeln!(out, "most {}", most.text()).unwrap();
+        writeln!(out, "most {} {}", most.what, most.value.text()).unwrap();
     }
     for mark in &drawing.marks {
         let role = format!("{:?}", mark.role);
@@ -447,13 +447,20 @@ fn a_grazing_contact_has_a_ring_and_no_number() {
     let picture = svg::render(&drawing, Theme::Light, SIZE);
     assert_eq!(picture.matches("class=\"ring\"").count(), 2);
     assert_eq!(picture.matches("class=\"force\"").count(), 1);
-    assert_eq!(
-        drawing.most,
-        Some(Quantity::significant(
-            solution.contacts[1].multiplier * 1e-3,
-            "rad²/mm"
-        ))
-    );
+    let multiplier = solution.contacts[1].multiplier;
+    let grams = sinew::units::grams(notes.stiffness.unwrap().per_bend(&problem) * multiplier);
+    let most = drawing.most.unwrap();
+    assert_eq!(most.what, "contact force");
+    assert_eq!(most.value, Quantity::significant(grams, "g"));
+
+    let unknown = Notes {
+        stiffness: None,
+        ..notes
+    };
+    let most = draw(&problem, &solution, &unknown).most.unwrap();
+    assert_eq!(most.what, "contact multiplier");
+    let expected = Quantity::significant(multiplier * 1e-3, "rad²/mm");
+    assert_eq!(most.value, expected);
 }
 
 #[cfg(feature = "cli")]

@@ -51,6 +51,8 @@ pub enum Command {
     Play,
     /// Follows the scene anew from the straight robot.
     FromStraight,
+    /// Changes from setting the pull to setting the load, or back.
+    Load,
     /// Shows everything.
     Fit,
     /// Shows the plane alone.
@@ -200,6 +202,7 @@ pub const ALL: &[Entry] = &[
     entry(Command::Tool(Tool::Wall), Group::Tools, "Add a wall", Tool::Wall.icon(), key(Key::W)),
     entry(Command::Play, Group::Robot, "Play or pause", icons::PLAY, key(Key::Space)),
     entry(Command::FromStraight, Group::Robot, "Start from straight", icons::CLOCK_COUNTER_CLOCKWISE, key(Key::R)),
+    entry(Command::Load, Group::Robot, "Set the load or the pull", icons::GAUGE, key(Key::L)),
     entry(Command::Fit, Group::View, "Show everything", icons::CORNERS_OUT, key(Key::F)),
     entry(Command::ViewPlane, Group::View, "Show the plane", icons::SQUARE, key(Key::Num1)),
     entry(Command::ViewSpace, Group::View, "Show the robot in space", icons::CUBE, key(Key::Num2)),
@@ -252,6 +255,7 @@ impl Command {
                 let kept = matches!(state.selection, Selection::Nothing | Selection::Robot);
                 !kept
             }
+            Command::Load => state.document.stiffness().is_some(),
             Command::Duplicate => state.selection.obstacle().is_some(),
             Command::Deselect => {
                 state.canvas.is_giving_up_something()

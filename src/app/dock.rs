@@ -6,7 +6,7 @@ use super::panels::tables;
 use super::plots::{Link, Plot, PlotAction, PlotCache, PlotData};
 use super::state::{Hovered, Selection, State};
 use crate::equilibrium::Solution;
-use crate::forces::{Statics, Stiffness, Window};
+use crate::forces::{Statics, Window};
 use crate::units::{METRES_PER_MM, millimetres};
 use eframe::egui::{
     Color32, Frame, Id, Margin, ScrollArea, Stroke, Style, Ui, Visuals, WidgetText,
@@ -73,7 +73,7 @@ impl Forces {
             return;
         }
         self.revision = revision;
-        let stiffness = Stiffness::of_scene(&state.document.scene).ok().flatten();
+        let stiffness = state.document.stiffness();
         let solution = state.live.solution().filter(|_| state.live.is_settled());
         self.statics = stiffness
             .zip(solution)

@@ -1,6 +1,7 @@
 //! The scene being worked on, where it is kept, and whether it differs from
 //! what is kept. It is always one that can be solved: see [`Document::settle`].
 
+use crate::forces::Stiffness;
 use crate::model::Problem;
 use crate::scene::{Scene, SceneError};
 use std::path::PathBuf;
@@ -69,6 +70,17 @@ impl Document {
     /// The problem of the last settled scene.
     pub fn problem(&self) -> &Problem {
         &self.problem
+    }
+
+    /// The backbone's stiffness, if the last settled scene gives it.
+    pub fn stiffness(&self) -> Option<Stiffness> {
+        Stiffness::of_scene(&self.sound).ok().flatten()
+    }
+
+    /// What a multiplier of 1 rad²/m amounts to, in newtons, where the
+    /// stiffness is known.
+    pub fn newtons_per_multiplier(&self) -> Option<f64> {
+        Some(self.stiffness()?.per_bend(&self.problem))
     }
 
     /// Whether the scene differs from what is kept.

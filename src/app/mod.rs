@@ -17,6 +17,7 @@ pub mod files;
 mod history;
 pub mod link;
 mod live;
+mod load;
 pub mod look;
 mod measured;
 mod notices;

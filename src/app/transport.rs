@@ -16,6 +16,9 @@ pub struct Transport {
     pub looping: bool,
     /// Millimetres of cable a second.
     pub speed_mm: f64,
+    /// Whether the slider and the field beside it set the load that hangs on the
+    /// cable, where the stiffness is known, in the place of the pull.
+    pub by_load: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +33,7 @@ impl Default for Transport {
             playing: None,
             looping: true,
             speed_mm: 2.0,
+            by_load: false,
         }
     }
 }

@@ -11,6 +11,7 @@
 mod load_curve;
 mod path;
 mod path_run;
+mod slope;
 mod table;
 mod tip;
 

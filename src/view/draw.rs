@@ -3,15 +3,16 @@
 
 use super::bounds::Bounds;
 use super::drawing::{
-    Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Role, Spot, Standing,
+    Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Most, Role, Spot, Standing,
 };
 use super::path::{Outline, Path, clip_half_plane, hatching, outline};
 use super::quantity::{Quantity, one_two_five};
 use crate::equilibrium::{Certificate, Class, Contact, Solution, Status};
+use crate::forces::Stiffness;
 use crate::geometry::Vector;
 use crate::model::{Element, Line, PlanarNode, Problem};
 use crate::scene::Scene;
-use crate::units::{METRES_PER_MM, degrees, millimetres};
+use crate::units::{METRES_PER_MM, degrees, grams, millimetres};
 
 /// Length of the longest arrow, over the backbone's length.
 const ARROW: f64 = 0.16;
@@ -35,15 +36,19 @@ pub struct Notes {
     pub names: Vec<Option<String>>,
     /// Where the tip has been, in metres.
     pub tip_trace: Vec<Vector>,
+    /// The backbone's bending stiffness; without it contacts show multipliers
+    /// in the place of forces.
+    pub stiffness: Option<Stiffness>,
 }
 
 impl Notes {
-    /// The title and names of a scene.
+    /// The title, names and stiffness of a scene.
     pub fn of(scene: &Scene) -> Self {
         Self {
             title: scene.title.clone(),
             names: scene.obstacles.iter().map(|o| o.name.clone()).collect(),
             tip_trace: Vec::new(),
+            stiffness: Stiffness::of_scene(scene).ok().flatten(),
         }
     }
 }
@@ -117,13 +122,14 @@ pub fn draw(problem: &Problem, solution: &Solution, notes: &Notes) -> Drawing {
         marks.push(mark(role, Geometry::Dot(contact.point), 0.0));
     }
     let bounds = bounds(problem, &marks);
+    let scale = Scale::of(problem, notes);
     let size = bounds.size();
     Drawing {
         bounds,
         grid: one_two_five(size.max() / 8.0),
         scale_bar: one_two_five((0.35 * size.x).min(0.3 * size.y)),
-        labels: labels(solution, notes, &marks, most, bounds),
-        most: (most > 0.0).then(|| multiplier(most)),
+        labels: labels(solution, notes, &marks, (most, scale), bounds),
+        most: (most > 0.0).then(|| scale.end(most)),
         caption: caption(problem, solution, notes),
         standing: standing(solution),
         marks,
@@ -251,16 +257,44 @@ fn bounds(problem: &Problem, marks: &[Mark]) -> Bounds {
     all.grown(MARGIN * all.size().max())
 }
 
-/// λ per millimetre, as it is written.
-fn multiplier(value: f64) -> Quantity {
-    Quantity::significant(value * METRES_PER_MM, "rad²/mm")
+/// How hard a contact presses, as it is written.
+#[derive(Clone, Copy)]
+enum Scale {
+    /// As λ per millimetre.
+    Multiplier,
+    /// In grams, of so many newtons for a multiplier of 1 rad²/m.
+    Force(f64),
+}
+
+impl Scale {
+    fn of(problem: &Problem, notes: &Notes) -> Self {
+        let per_bend = notes.stiffness.map(|it| it.per_bend(problem));
+        per_bend.map_or(Self::Multiplier, Self::Force)
+    }
+
+    fn written(self, multiplier: f64) -> Quantity {
+        match self {
+            Self::Multiplier => Quantity::significant(multiplier * METRES_PER_MM, "rad²/mm"),
+            Self::Force(per_bend) => Quantity::significant(grams(per_bend * multiplier), "g"),
+        }
+    }
+
+    fn end(self, most: f64) -> Most {
+        Most {
+            what: match self {
+                Self::Multiplier => "contact multiplier",
+                Self::Force(_) => "contact force",
+            },
+            value: self.written(most),
+        }
+    }
 }
 
 fn labels(
     solution: &Solution,
     notes: &Notes,
     marks: &[Mark],
-    most: f64,
+    (most, scale): (f64, Scale),
     bounds: Bounds,
 ) -> Vec<Label> {
     let mut labels = Vec::new();
@@ -278,7 +312,7 @@ fn labels(
     for contact in pressing.into_iter().take(MOST_LABELS) {
         let tip = arrows.iter().find(|(tail, _)| *tail == contact.point);
         labels.push(Label {
-            text: LabelText::Value(multiplier(contact.multiplier)),
+            text: LabelText::Value(scale.written(contact.multiplier)),
             spot: Spot::Beyond {
                 point: tip.map_or(contact.point, |(_, tip)| *tip),
                 towards: contact.normal,

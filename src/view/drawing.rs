@@ -21,13 +21,21 @@ pub struct Drawing {
     /// What is written beside the marks. Where it goes depends on the size of
     /// letters: see [`super::place_labels`].
     pub labels: Vec<Label>,
-    /// The greatest multiplier, which the contact scale ends at; `None` where
-    /// nothing presses.
-    pub most: Option<Quantity>,
+    /// What the contact scale ends at; `None` where nothing presses.
+    pub most: Option<Most>,
     /// What is written above the picture.
     pub caption: Caption,
     /// Whether the shape is to be believed.
     pub standing: Standing,
+}
+
+/// The end of the contact scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Most {
+    /// What the scale shows, such as `contact force`.
+    pub what: &'static str,
+    /// The greatest of all contacts.
+    pub value: Quantity,
 }
 
 /// Something to draw.

@@ -16,7 +16,9 @@ mod theme;
 
 pub use bounds::Bounds;
 pub use draw::{Notes, draw};
-pub use drawing::{Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Role, Spot, Standing};
+pub use drawing::{
+    Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Most, Role, Spot, Standing,
+};
 pub use frame::Frame;
 pub use labels::{Placed, place_labels, place_labels_beside};
 pub use path::{Clipped, Outline, Path, Piece, circle, clip_half_plane, hatching, outline};

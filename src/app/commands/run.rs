@@ -76,6 +76,7 @@ pub fn run(command: Command, state: &mut State, ctx: &Context) {
             state.transport.toggle(pull_mm, span);
         }
         Command::FromStraight => state.restart(),
+        Command::Load => state.transport.by_load ^= true,
         Command::Fit => {
             state.canvas.fit_soon();
             state.space.fit_soon();

@@ -3,11 +3,13 @@
 
 mod fonts;
 pub mod icons;
+mod segments;
 mod style;
 
 #[cfg(target_arch = "wasm32")]
 pub use fonts::fonts_for_svg;
 pub use fonts::{icon_font, semibold};
+pub use segments::{Segment, segments};
 pub use style::{MOTION_SECONDS, Tokens, colour, icon, icon_button, theme_of};
 
 use eframe::egui;

@@ -3,12 +3,9 @@
 
 use super::{menu, settings};
 use crate::app::commands::Command;
-use crate::app::look::{Tokens, icon, icon_button, icons, semibold};
+use crate::app::look::{Segment, Tokens, icon, icon_button, icons, segments};
 use crate::app::state::{State, Views};
-use eframe::egui::{
-    Align, Button, Color32, FontId, Label, Layout, Rect, RichText, Role, Sense, Ui, Vec2,
-    WidgetInfo, vec2,
-};
+use eframe::egui::{Align, Button, Label, Layout, RichText, Role, Ui, WidgetInfo, vec2};
 
 /// Below these widths, in points, the bar leaves out what can be reached
 /// otherwise.
@@ -102,39 +99,21 @@ fn theme(ui: &mut Ui, state: &mut State) {
 
 /// The views, of which one is chosen.
 fn views(ui: &mut Ui, state: &mut State) {
-    const SIZE: Vec2 = vec2(46.0, 24.0);
-    let tokens = Tokens::in_ui(ui);
     let views = [
         (Views::Plane, "2-D", Command::ViewPlane),
         (Views::Space, "3-D", Command::ViewSpace),
         (Views::Both, "Both", Command::ViewBoth),
     ];
-    let size = vec2(SIZE.x * views.len() as f32 + 4.0, SIZE.y + 4.0);
-    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
-    ui.painter().rect_filled(rect, 7.0, tokens.sunken);
-    let mut corner = rect.min + vec2(2.0, 2.0);
-    for (view, name, command) in views {
-        let current = state.preferences.views == view;
-        let (fill, ink, font) = if current {
-            (tokens.raised, tokens.text, semibold(12.0))
-        } else {
-            (
-                Color32::TRANSPARENT,
-                tokens.muted,
-                FontId::proportional(12.0),
-            )
-        };
-        let button = Button::new(RichText::new(name).font(font).color(ink))
-            .fill(fill)
-            .corner_radius(5.0);
-        let response = ui.put(Rect::from_min_size(corner, SIZE), button);
-        corner.x += SIZE.x;
-        let response = response.on_hover_text(command.tip(ui.ctx()));
-        let title = command.entry().title;
-        response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, current, title));
-        if response.clicked() {
-            state.commands.push(command);
-        }
+    let shown = views.map(|(_, name, command)| Segment {
+        name,
+        title: command.entry().title,
+        tip: command.tip(ui.ctx()),
+        enabled: true,
+    });
+    let current = state.preferences.views;
+    let current = views.iter().position(|(view, ..)| *view == current);
+    if let Some(chosen) = segments(ui, vec2(46.0, 24.0), &shown, current) {
+        state.commands.push(views[chosen].2);
     }
 }
 

@@ -8,7 +8,7 @@ use crate::app::words;
 use crate::equilibrium::Class;
 use crate::forces::{Statics, part_name};
 use crate::scene::{Obstacle, Shape};
-use crate::units::{millimetres, per_millimetre};
+use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::Quantity;
 use eframe::egui::{Align, CornerRadius, Id, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
@@ -129,7 +129,7 @@ pub fn contacts(ui: &mut Ui, state: &mut State, forces: Option<&Statics>) {
         column("Clearance, mm", 88.0, 0.0, Align::Max),
     ];
     if forces.is_some() {
-        columns.push(column("Force, N", 64.0, 0.0, Align::Max));
+        columns.push(column("Force, g", 64.0, 0.0, Align::Max));
     }
     table(ui, "contacts", &columns, count, |ui, places, index| {
         contact(ui, state, forces, places, index);
@@ -177,7 +177,7 @@ fn contact(
     places.text(ui, rect, 4, clearance.digits);
     if let Some(forces) = forces {
         let force = forces.contacts.get(index);
-        let force = force.map(|it| Quantity::significant(it.normal_force, "").digits);
+        let force = force.map(|it| Quantity::significant(grams(it.normal_force), "").digits);
         places.text(ui, rect, 5, force.unwrap_or_default());
     }
     if response.hovered() {

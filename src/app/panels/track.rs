@@ -1,30 +1,34 @@
 //! The track of the pull: its slider, and marks where contacts begin and end,
 //! where the robot jumps and where its branch ends.
 
+use crate::app::load::Loads;
 use crate::app::look::{Tokens, icon_font, icons};
 use crate::app::state::{Hovered, State};
 use crate::app::words;
 use crate::equilibrium::{Event, Occurrence};
 use crate::units::{metres, millimetres};
-use eframe::egui::{Align2, FontId, Painter, Rangef, Rect, Sense, Slider, Stroke, Ui, pos2, vec2};
+use eframe::egui::{
+    Align2, FontId, Painter, Rangef, Rect, Response, Sense, Slider, Stroke, Ui, pos2, vec2,
+};
 
 /// Height of the slider, of which its handle takes four fifths.
 const HEIGHT: f32 = 20.0;
 
-/// Shows the slider in the width that is left.
-pub fn show(ui: &mut Ui, state: &mut State) {
-    let span = state.span_mm();
-    let pull_mm = &mut state.document.scene.actuation.pull_mm;
+/// Shows the slider in the width that is left: of the pull or, where `loads`
+/// are given, of the load.
+pub fn show(ui: &mut Ui, state: &mut State, loads: Option<&Loads>) {
     ui.spacing_mut().slider_width = (ui.available_width() - 4.0).max(80.0);
     ui.spacing_mut().interact_size.y = HEIGHT;
-    let slider = Slider::new(pull_mm, span.0..=span.1)
-        .show_value(false)
-        .max_decimals(3);
-    let response = ui.add(slider).accessible_name("Pull slider");
+    let (span, response) = match loads {
+        Some(loads) => load_slider(ui, state, loads),
+        None => pull_slider(ui, state),
+    };
     // Where egui puts the middle of the handle.
     let ends = response.rect.x_range().shrink(response.rect.height() / 2.5);
     let at = |pull: f64| {
-        let share = (millimetres(pull) - span.0) / (span.1 - span.0).max(f64::MIN_POSITIVE);
+        let pull_mm = millimetres(pull);
+        let value = loads.map_or(pull_mm, |loads| loads.load_g(pull_mm));
+        let share = (value - span.0) / (span.1 - span.0).max(f64::MIN_POSITIVE);
         ends.min + share as f32 * (ends.max - ends.min)
     };
     marks(ui, state, response.rect, ends, at);
@@ -37,6 +41,29 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     }
 }
 
+fn pull_slider(ui: &mut Ui, state: &mut State) -> ((f64, f64), Response) {
+    let span = state.span_mm();
+    let pull_mm = &mut state.document.scene.actuation.pull_mm;
+    let slider = Slider::new(pull_mm, span.0..=span.1)
+        .show_value(false)
+        .max_decimals(3);
+    (span, ui.add(slider).accessible_name("Pull slider"))
+}
+
+fn load_slider(ui: &mut Ui, state: &mut State, loads: &Loads) -> ((f64, f64), Response) {
+    let span = (0.0, loads.most_g());
+    let pull_mm = &mut state.document.scene.actuation.pull_mm;
+    let mut load_g = loads.load_g(*pull_mm);
+    let slider = Slider::new(&mut load_g, span.0..=span.1)
+        .show_value(false)
+        .max_decimals(1);
+    let response = ui.add(slider).accessible_name("Load slider");
+    if response.changed() {
+        *pull_mm = loads.pull_mm(load_g);
+    }
+    (span, response)
+}
+
 /// The marks of the path, if it is known, below the rail; each tells what it
 /// is under the pointer.
 fn marks(ui: &Ui, state: &mut State, rect: Rect, ends: Rangef, at: impl Fn(f64) -> f32) {
@@ -45,7 +72,9 @@ fn marks(ui: &Ui, state: &mut State, rect: Rect, ends: Rangef, at: impl Fn(f64) 
         return;
     };
     let current = state.live.path_is_current();
-    if let Some(end) = &path.end {
+    if let Some(end) = &path.end
+        && at(end.pull) < ends.max
+    {
         // What lies beyond the end of the branch is out of reach.
         let x = at(end.pull).clamp(ends.min, ends.max);
         let beyond =

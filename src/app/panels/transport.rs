@@ -4,14 +4,17 @@
 use super::bar::button;
 use super::track;
 use crate::app::commands::Command;
-use crate::app::look::{icon_button, icons};
+use crate::app::load::Loads;
+use crate::app::look::{Segment, icon_button, icons, segments};
 use crate::app::state::State;
 use crate::app::transport::Transport;
 use crate::view::Quantity;
-use eframe::egui::{ComboBox, DragValue, RichText, Ui};
+use eframe::egui::{ComboBox, DragValue, Ui, Vec2, vec2};
 
 /// Below this width, in points, only play, the pull and its slider stay.
 const NARROW: f32 = 640.0;
+/// Size of the field of what is set, in points.
+const FIELD: Vec2 = vec2(84.0, 28.0);
 
 /// Shows the transport bar.
 pub fn show(ui: &mut Ui, state: &mut State) {
@@ -24,8 +27,8 @@ pub fn show(ui: &mut Ui, state: &mut State) {
             button(ui, state, Command::FromStraight);
             ui.add_space(8.0);
         }
-        pull(ui, state);
-        track::show(ui, state);
+        let loads = actuation(ui, state);
+        track::show(ui, state, loads.as_ref());
     });
 }
 
@@ -78,20 +81,70 @@ fn speed(ui: &mut Ui, transport: &mut Transport) {
     combo.response.on_hover_text("Speed of playing");
 }
 
+/// What is set, pull or load, and its value. The loads, if it is they.
+fn actuation(ui: &mut Ui, state: &mut State) -> Option<Loads> {
+    let loads = Loads::of(state).filter(|_| state.transport.by_load);
+    let known = state.document.stiffness().is_some();
+    let tip = if known {
+        "The load that hangs on the cable"
+    } else {
+        "A load can be set where the robot's stiffness is known"
+    };
+    let shown = [
+        Segment {
+            name: "Pull",
+            title: "Set the pull",
+            tip: "The length of cable that is drawn in".to_owned(),
+            enabled: true,
+        },
+        Segment {
+            name: "Load",
+            title: "Set the load",
+            tip: format!("{tip} ({})", Command::Load.entry().title),
+            enabled: known,
+        },
+    ];
+    let current = usize::from(loads.is_some());
+    let chosen = segments(ui, vec2(44.0, 24.0), &shown, Some(current));
+    if chosen.is_some_and(|chosen| chosen != current) {
+        state.commands.push(Command::Load);
+    }
+    match &loads {
+        Some(loads) => load(ui, state, loads),
+        None => pull(ui, state),
+    }
+    loads
+}
+
 fn pull(ui: &mut Ui, state: &mut State) {
-    let label = ui.label("Pull");
-    ui.label(RichText::new("l").italics().weak());
     let (least, most) = state.document.problem().robot().pull_range();
     let pull_mm = &mut state.document.scene.actuation.pull_mm;
     let range = track::round_inwards(least, most);
-    ui.add(
-        DragValue::new(pull_mm)
-            .speed(0.01)
-            .range(range.0..=range.1)
-            .fixed_decimals(2)
-            .min_size(eframe::egui::vec2(84.0, 28.0))
-            .suffix(" mm"),
-    )
-    .labelled_by(label.id)
-    .on_hover_text("Length of cable drawn in. Drag sideways or click to type.");
+    let field = DragValue::new(pull_mm)
+        .speed(0.01)
+        .range(range.0..=range.1)
+        .fixed_decimals(2)
+        .suffix(" mm");
+    ui.add_sized(FIELD, field)
+        .accessible_name("Pull")
+        .on_hover_text("Length of cable drawn in. Drag sideways or click to type.");
+}
+
+fn load(ui: &mut Ui, state: &mut State, loads: &Loads) {
+    let pull_mm = &mut state.document.scene.actuation.pull_mm;
+    let mut load_g = loads.load_g(*pull_mm);
+    let field = DragValue::new(&mut load_g)
+        .speed(0.5)
+        .range(0.0..=loads.most_g())
+        .fixed_decimals(1)
+        .suffix(" g");
+    let response = ui
+        .add_sized(FIELD, field)
+        .accessible_name("Load")
+        .on_hover_text(
+            "Load on the cable, 0 for the straight robot. Drag sideways or click to type.",
+        );
+    if response.changed() {
+        *pull_mm = loads.pull_mm(load_g);
+    }
 }

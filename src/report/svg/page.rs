@@ -4,7 +4,7 @@
 use super::{EDGE, LARGE, LINE, PLAIN, SMALL, STRONG, Size, Writer, px, rectangle};
 use crate::geometry::Vector;
 use crate::report::text;
-use crate::view::{Colour, Quantity, Role, Standing, Theme};
+use crate::view::{Colour, Most, Quantity, Role, Standing, Theme};
 use svg::Node;
 use svg::node::element::{Group, LinearGradient, Path as PathElement, Stop, Text};
 
@@ -117,17 +117,17 @@ impl Writer<'_> {
 
     /// The contacts' scale, from the right edge to the left as far as there is
     /// room.
-    fn legend(&mut self, footer: &mut Group, most: &Quantity, right: f64, base: f64, left: f64) {
+    fn legend(&mut self, footer: &mut Group, most: &Most, right: f64, base: f64, left: f64) {
         const BAR: f64 = 80.0;
-        let value = text::width(&most.text(), SMALL);
+        let value = text::width(&most.value.text(), SMALL);
         let end = right - value - 6.0;
-        let words = "contact multiplier";
+        let words = most.what;
         let zero = end - BAR - 6.0;
         if zero - 12.0 < left {
             return;
         }
         let mut label = Text::new("").set("x", px(end + 6.0)).set("y", px(base));
-        self.add_quantity(&mut label, most, PLAIN);
+        self.add_quantity(&mut label, &most.value, PLAIN);
         footer.append(label);
         let corner = Vector::new(end - BAR, base - 8.5);
         let bar = rectangle(corner, Vector::new(BAR, 8.0)).set("rx", 2);

@@ -5,6 +5,7 @@ use super::flattened;
 use crate::app::live::Live;
 use crate::app::look::{Tokens, colour};
 use crate::app::state::Selection;
+use crate::app::words;
 use crate::units::millimetres;
 use crate::view::{Drawing, Frame, Geometry, Quantity, Role, Theme, clip_half_plane, one_two_five};
 use eframe::egui::{Align2, Color32, FontId, Mesh, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
@@ -122,7 +123,7 @@ pub fn legend(painter: &Painter, drawing: &Drawing, rect: Rect, theme: Theme) {
     let number = painter.text(
         corner,
         Align2::RIGHT_BOTTOM,
-        most.text(),
+        most.value.text(),
         small.clone(),
         tokens.text,
     );
@@ -143,7 +144,7 @@ pub fn legend(painter: &Painter, drawing: &Drawing, rect: Rect, theme: Theme) {
         painter.text(
             pos2(zero.left() - 8.0, middle),
             Align2::RIGHT_CENTER,
-            "Multiplier λ",
+            words::capital(most.what),
             small,
             tokens.muted,
         );

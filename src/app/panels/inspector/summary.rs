@@ -6,7 +6,7 @@ use crate::app::look::semibold;
 use crate::app::panels::row;
 use crate::app::panels::status::Verdict;
 use crate::app::state::State;
-use crate::units::{degrees, millimetres, per_millimetre};
+use crate::units::{degrees, grams, millimetres, per_millimetre};
 use crate::view::Quantity;
 use eframe::egui::{RichText, Ui};
 
@@ -39,8 +39,20 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     let count = solution.contacts.len() as f64;
     let total: f64 = solution.contacts.iter().map(|it| it.multiplier).sum();
     row::fact(ui, "Contacts", "", &Quantity::fixed(count, 0, ""));
-    let total = Quantity::significant(per_millimetre(total), "rad²/mm");
-    row::fact(ui, "Multipliers", "Σ λ", &total);
+    let written = Quantity::significant(per_millimetre(total), "rad²/mm");
+    row::fact(ui, "Multipliers", "Σ λ", &written);
+    if let Some(newtons) = state.document.newtons_per_multiplier() {
+        let in_grams = |value: f64| Quantity::significant(grams(newtons * value), "g");
+        row::fact(ui, "Forces", "Σ F", &in_grams(total));
+        ui.add_space(12.0);
+        row::heading(ui, "Cable");
+        row::fact(
+            ui,
+            "Tension",
+            "T",
+            &in_grams(solution.certificate.energy_slope),
+        );
+    }
 }
 
 fn word(word: &str) -> Quantity {

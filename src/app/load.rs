@@ -1,0 +1,45 @@
+//! The load on the cable in the place of its pull: each amounts to the other
+//! along the path, where the stiffness is known.
+
+use super::state::State;
+use crate::explore::Path;
+use crate::units::{grams, metres, millimetres, newtons};
+use std::sync::Arc;
+
+/// Loads of the present robot.
+#[derive(Clone, Debug)]
+pub struct Loads {
+    path: Arc<Path>,
+    /// What dJ/dl of 1 rad²/m amounts to, in N.
+    newtons: f64,
+}
+
+impl Loads {
+    /// `None` where the stiffness is not known, or the path not yet.
+    pub fn of(state: &State) -> Option<Self> {
+        let newtons = state.document.newtons_per_multiplier()?;
+        let path = Arc::clone(state.live.path()?);
+        path.range()?;
+        Some(Self { path, newtons })
+    }
+
+    /// The load that holds the robot at a pull, in grams.
+    pub fn load_g(&self, pull_mm: f64) -> f64 {
+        let (first, last) = self.path.range().unwrap_or_default();
+        let state = self.path.at(metres(pull_mm).clamp(first, last));
+        state.map_or(0.0, |state| grams(self.newtons * state.energy_slope))
+    }
+
+    /// The pull that a load amounts to, in mm: for more than any shape needs,
+    /// the last pull of all.
+    pub fn pull_mm(&self, load_g: f64) -> f64 {
+        let pull = self.path.pull_at_slope(newtons(load_g) / self.newtons);
+        let last = self.path.range().map_or(0.0, |range| range.1);
+        millimetres(pull.unwrap_or(last))
+    }
+
+    /// The greatest load that any shape needs, in grams.
+    pub fn most_g(&self) -> f64 {
+        grams(self.newtons * self.path.greatest_slope())
+    }
+}
