@@ -88,7 +88,7 @@ pub const EXAMPLES: &[Example] = &[
     },
     Example {
         id: "load-cell-readings",
-        title: "Load cell with readings (Table 1)",
+        title: "Measured forces (Table 1)",
         lesson: "One measured force is enough to predict the others to within half a gram.",
         group: Group::Paper,
         text: include_str!("../../assets/scenes/load-cell-readings.toml"),

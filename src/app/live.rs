@@ -2,13 +2,23 @@
 //! the drawing of it.
 
 use super::backend::SolverBackend;
-use crate::equilibrium::{Solution, Status};
+use crate::equilibrium::{Event, Occurrence, Solution, Status};
 use crate::explore::Path;
+use crate::geometry::Vector;
 use crate::model::Problem;
 use crate::solving::{Request, Shape, StartFrom, Update};
 use crate::view::{Drawing, Notes, draw};
 use std::sync::Arc;
 use web_time::Duration;
+
+/// A jump of the robot from one shape to another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Leap {
+    /// The jump itself.
+    pub jump: Event,
+    /// The backbone's nodes in the shape that was known before, in metres.
+    pub backbone: Vec<Vector>,
+}
 
 /// The solver and the last of its answers.
 pub struct Live {
@@ -24,6 +34,9 @@ pub struct Live {
     path_is_current: bool,
     /// The first request with the robot and the obstacles last asked for.
     course: u64,
+    /// The first request after the last start from the straight robot.
+    start: u64,
+    leap: Option<Leap>,
     drawing: Drawing,
     /// Counts the changes of the drawing.
     revision: u64,
@@ -48,6 +61,8 @@ impl Live {
             path: None,
             path_is_current: false,
             course: 0,
+            start: 0,
+            leap: None,
             drawing: draw(problem, &Solution::default(), notes),
             revision: 0,
             path_revision: 0,
@@ -64,6 +79,9 @@ impl Live {
             self.course = self.generation + 1;
         }
         self.generation += 1;
+        if from == StartFrom::Straight {
+            self.start = self.generation;
+        }
         self.asked.clone_from(problem);
         self.backend.submit(Request {
             generation: self.generation,
@@ -83,6 +101,7 @@ impl Live {
                     // known already.
                     let newest = self.shape.as_ref().map_or(0, |known| known.generation);
                     if shape.generation > newest {
+                        self.leap = self.leap_to(&shape.solution, newest);
                         self.shape = Some(*shape);
                         self.time = found.time;
                         news = true;
@@ -97,6 +116,23 @@ impl Live {
             }
         }
         news
+    }
+
+    /// What the robot left if it jumped to this solution from the known shape,
+    /// which answers the request `newest`.
+    fn leap_to(&self, solution: &Solution, newest: u64) -> Option<Leap> {
+        let mut events = solution.events.iter().rev();
+        let jump = events.find(|event| matches!(event.what, Occurrence::Jump { .. }))?;
+        let left = self.solution().filter(|_| newest >= self.start)?;
+        Some(Leap {
+            jump: *jump,
+            backbone: left.backbone().collect(),
+        })
+    }
+
+    /// The jump that led to the last answer, told once.
+    pub fn take_leap(&mut self) -> Option<Leap> {
+        self.leap.take()
     }
 
     /// Draws the scene as it is asked for, with the robot as it is known.

@@ -38,8 +38,9 @@ impl Loads {
         millimetres(pull.unwrap_or(last))
     }
 
-    /// The greatest load that any shape needs, in grams.
+    /// The greatest load that is offered, in grams. The last few shapes before a
+    /// branch ends need more, without bound.
     pub fn most_g(&self) -> f64 {
-        grams(self.newtons * self.path.greatest_slope())
+        grams(self.newtons * self.path.usual_slope())
     }
 }

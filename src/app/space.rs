@@ -1,12 +1,18 @@
 //! The robot in space: an orbit camera around what the graphics processor
 //! draws.
 
-use super::look::{Tokens, theme_of};
+use super::live::Live;
+use super::look::{Tokens, semibold, theme_of};
 use super::state::State;
 use crate::equilibrium::Solution;
+use crate::geometry::Vector;
 use crate::render::{Camera, Mesh, RobotSizes, mesh, solid_callback};
-use crate::view::Theme;
-use eframe::egui::{Align2, FontId, PointerButton, Rect, Response, Sense, Ui, WidgetInfo, vec2};
+use crate::view::{LabelText, Spot, Theme};
+use eframe::egui::text::{LayoutJob, TextFormat};
+use eframe::egui::{
+    Align2, FontId, Painter, PointerButton, Rect, Response, Sense, Ui, WidgetInfo, vec2,
+};
+use nalgebra::Vector3;
 use std::sync::Arc;
 
 /// The view's camera, and the solids as last built.
@@ -56,6 +62,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, Tokens::of(theme).canvas);
     painter.add(solid_callback(rect, solids, *camera, theme));
+    values(&painter, rect, *camera, &state.live, theme);
     let hint = "Drag to turn, right-drag to move, double-click to reset";
     if response.hovered() {
         painter.text(
@@ -94,6 +101,43 @@ fn solids(state: &mut State, theme: Theme) -> Arc<Mesh> {
         mesh: Arc::clone(&mesh),
     });
     mesh
+}
+
+/// Paints how hard the contacts press, beyond their arrows.
+fn values(painter: &Painter, rect: Rect, camera: Camera, live: &Live, theme: Theme) {
+    let tokens = Tokens::of(theme);
+    let aspect = f64::from(rect.width() / rect.height());
+    let seen = |point: Vector| {
+        let [right, up] = camera.seen(Vector3::new(point.x, point.y, 0.0), aspect)?;
+        let half = 0.5 * rect.size();
+        Some(rect.center() + vec2(right as f32 * half.x, -up as f32 * half.y))
+    };
+    let length = live.problem().length();
+    for label in &live.drawing().labels {
+        let (LabelText::Value(value), Spot::Beyond { point, towards }) = (&label.text, label.spot)
+        else {
+            continue;
+        };
+        let (Some(at), Some(beyond)) = (seen(point), seen(point + 0.05 * length * towards)) else {
+            continue;
+        };
+        let away = (beyond - at).normalized();
+        let mut job = LayoutJob::default();
+        let unit = format!(" {}", value.unit);
+        for (text, font, ink) in [
+            (value.digits.as_str(), semibold(12.0), tokens.text),
+            (unit.as_str(), FontId::proportional(12.0), tokens.muted),
+        ] {
+            job.append(text, 0.0, TextFormat::simple(font, ink));
+        }
+        let galley = painter.layout_job(job);
+        let size = galley.size();
+        let middle = at + away * (8.0 + 0.5 * size.x * away.x.abs() + 0.5 * size.y * away.y.abs());
+        let area = Rect::from_center_size(middle, size);
+        let back = tokens.canvas.gamma_multiply(0.6);
+        painter.rect_filled(area.expand2(vec2(4.0, 1.0)), 4.0, back);
+        painter.galley(area.min, galley, tokens.text);
+    }
 }
 
 fn navigate(ui: &Ui, response: &Response, camera: &mut Camera, rect: Rect) {

@@ -9,13 +9,14 @@ use super::files::Files;
 use super::history::{Gesture, History};
 use super::live::Live;
 use super::measured::Measuring;
-use super::notices::Notices;
+use super::notices::{Notice, Notices};
 use super::panels::Panels;
 use super::photo::Photos;
 use super::platform::Detached;
 use super::sheets::Sheets;
 use super::space::Space;
 use super::transport::{Transport, span_mm};
+use super::words;
 use crate::scene::{Scene, SceneError};
 use crate::solving::StartFrom;
 use crate::units::metres;
@@ -266,6 +267,11 @@ impl State {
     /// Takes what the solver has found.
     pub fn poll(&mut self) {
         if self.live.poll() {
+            if let Some(leap) = self.live.take_leap() {
+                let told = words::event(&leap.jump, &self.document.scene);
+                self.notices.tell(Notice::information(told));
+                self.canvas.leave_behind(leap.backbone);
+            }
             self.canvas.follow_tip(&self.live);
             self.redraw();
         }

@@ -18,4 +18,5 @@ mod tip;
 pub use load_curve::{LoadCurve, LoadPoint};
 pub use path::{End, Path, PathState, Pressing};
 pub use path_run::PathRun;
+pub use slope::usual_end;
 pub use table::{COLUMNS, rows};

@@ -19,9 +19,53 @@ impl Path {
         Some(a.pull + share * (b.pull - a.pull))
     }
 
-    /// The steepest dJ/dl of all states, in rad²/m, and 0 where none rises.
-    pub fn greatest_slope(&self) -> f64 {
-        let slopes = self.states.iter().map(|state| state.energy_slope);
-        slopes.fold(0.0, f64::max)
+    /// A dJ/dl that few states exceed, in rad²/m: see [`usual_end`].
+    pub fn usual_slope(&self) -> f64 {
+        usual_end(self.states.iter().map(|state| state.energy_slope))
+    }
+}
+
+/// Where a scale of these values is to end: at the greatest of them or, where a
+/// few are far greater than all others, at twice what three quarters of them do
+/// not exceed. Loads grow without bound where a branch ends. 0 where none is
+/// positive.
+pub fn usual_end(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<f64> = values.filter(|value| *value > 0.0).collect();
+    values.sort_by(f64::total_cmp);
+    let quartile = values.get(values.len() * 3 / 4).copied();
+    let greatest = values.last().copied().unwrap_or(0.0);
+    quartile.map_or(0.0, |quartile| greatest.min(2.0 * quartile))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::explore::PathRun;
+    use crate::model::Problem;
+    use crate::scene::Scene;
+
+    #[test]
+    fn a_scale_ends_at_the_greatest_value_unless_few_are_far_beyond() {
+        let up_to = |n: u32| (1..=n).map(f64::from);
+        assert_eq!(usual_end(up_to(8)), 8.0);
+        assert_eq!(usual_end(up_to(8).chain([1e6])), 14.0);
+        assert_eq!(usual_end([-1.0, 0.0].into_iter()), 0.0);
+        assert_eq!(usual_end(std::iter::empty()), 0.0);
+    }
+
+    #[test]
+    fn pull_and_slope_lead_to_each_other() {
+        let problem = Problem::new(&Scene::default()).unwrap();
+        let mut run = PathRun::over(&problem, 0.0, 0.010, 41);
+        run.advance(usize::MAX);
+        let path = run.finish();
+        for pull in [0.0, 0.00123, 0.0075, 0.010] {
+            let slope = path.at(pull).unwrap().energy_slope;
+            let back = path.pull_at_slope(slope).unwrap();
+            assert!((back - pull).abs() < 1e-12, "{pull} {back}");
+        }
+        let end = path.at(0.010).unwrap().energy_slope;
+        assert_eq!(path.pull_at_slope(1.001 * end), None);
+        assert_eq!(path.pull_at_slope(-1.0), Some(0.0));
     }
 }

@@ -129,6 +129,13 @@ impl Camera {
         [right, back.cross(&right), back]
     }
 
+    /// Where a point is seen, in metres: to the right and up from the middle of
+    /// the picture, in halves of its width and height. `None` behind the camera.
+    pub fn seen(&self, point: Vector3<f64>, aspect: f64) -> Option<[f64; 2]> {
+        let clip = self.clip(self.target, aspect) * (point - self.target).push(1.0);
+        (clip.w > 0.0).then(|| [clip.x / clip.w, clip.y / clip.w])
+    }
+
     /// From points relative to `origin` to clip space: x to the right, y up,
     /// depth from 0 to 1.
     pub fn clip(&self, origin: Vector3<f64>, aspect: f64) -> Matrix4<f64> {

@@ -57,9 +57,14 @@ fn is_stuck(live: &Live) -> bool {
     live.drawing().standing.is_greyed() && !unfinished
 }
 
-/// Shows why the shape is greyed, with two ways out.
+/// Shows why the shape is greyed, or that it is not the one that the straight
+/// robot comes to, with two ways out.
 pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) {
     if !is_stuck(&state.live) {
+        if state.live.is_on_another_branch() {
+            let reason = "The straight robot comes to another shape at this pull.";
+            banner(ui, state, rect, (icons::INFO, "Another branch", reason));
+        }
         return;
     }
     let Standing::Greyed { what, reason } = state.live.drawing().standing.clone() else {
@@ -72,6 +77,10 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) {
         }
         _ => words::sentence(&reason),
     };
+    banner(ui, state, rect, (icons::WARNING, what, &reason));
+}
+
+fn banner(ui: &mut Ui, state: &mut State, rect: Rect, told: (&str, &str, &str)) {
     let tokens = Tokens::in_ui(ui);
     let room = rect.width() - 2.0 * (super::tools::ROOM + 8.0);
     let width = room.clamp(160.0, WIDEST);
@@ -89,21 +98,20 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) {
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                     actions(ui, state);
                     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                        reasons(ui, what, &reason, &tokens);
+                        reasons(ui, told, &tokens);
                     });
                 });
             } else {
-                ui.horizontal_wrapped(|ui| reasons(ui, what, &reason, &tokens));
+                ui.horizontal_wrapped(|ui| reasons(ui, told, &tokens));
                 ui.horizontal_wrapped(|ui| actions(ui, state));
             }
         });
     });
 }
 
-fn reasons(ui: &mut Ui, what: &str, reason: &str, tokens: &Tokens) {
-    ui.label(icon(icons::WARNING).color(tokens.warning));
-    ui.label(RichText::new(what).font(semibold(14.0)))
-        .on_hover_text("The shape shown is the last one that holds.");
+fn reasons(ui: &mut Ui, (glyph, what, reason): (&str, &str, &str), tokens: &Tokens) {
+    ui.label(icon(glyph).color(tokens.warning));
+    ui.label(RichText::new(what).font(semibold(14.0)));
     let reason = RichText::new(reason);
     ui.add(Label::new(reason.small().color(tokens.muted)).wrap());
 }

@@ -16,6 +16,7 @@ mod paint;
 mod place;
 mod pointer;
 mod pull;
+mod shade;
 mod tools;
 
 pub use hints::Hints;
@@ -37,6 +38,7 @@ use eframe::egui::{self, Pos2, Rect, Sense, Stroke, Ui};
 use gesture::Gesture;
 use hit::{Reach, Target};
 use keys::Space;
+use shade::Shade;
 
 /// Points of the tip's trace that are kept.
 const TRACE: usize = 2000;
@@ -59,6 +61,8 @@ pub struct Canvas {
     space: Space,
     /// Whether Tab has selected everything in turn.
     went_round: bool,
+    /// What the robot has left by a jump.
+    shade: Option<Shade>,
     /// Since when the shape is greyed, in seconds of the window's clock.
     stuck_since: Option<f64>,
     id: Option<egui::Id>,
@@ -81,6 +85,7 @@ impl Default for Canvas {
             menu: None,
             space: Space::Up,
             went_round: false,
+            shade: None,
             stuck_since: None,
             id: None,
             rect: Rect::NOTHING,
@@ -136,6 +141,11 @@ impl Canvas {
         if self.trace.len() > TRACE {
             self.trace.drain(..TRACE / 2);
         }
+    }
+
+    /// Leaves an old shape behind, its nodes in metres.
+    pub fn leave_behind(&mut self, backbone: Vec<Vector>) {
+        self.shade = Some(Shade::of(backbone));
     }
 
     /// Removes the selected vertex of an obstacle, if one is selected and can
@@ -205,6 +215,11 @@ fn picture(ui: &Ui, state: &mut State, frame: &Frame, rect: Rect, target: Target
     };
     if state.selection == Selection::Robot {
         paint::halo(&painter, &state.live, frame, theme);
+    }
+    if let Some(shade) = &mut state.canvas.shade
+        && !shade.paint(ui, &painter, frame)
+    {
+        state.canvas.shade = None;
     }
     paint::drawing(&painter, state.live.drawing(), frame, theme);
     if let Hovered::Obstacle(_) = lit {

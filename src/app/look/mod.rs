@@ -3,12 +3,14 @@
 
 mod fonts;
 pub mod icons;
+mod scale;
 mod segments;
 mod style;
 
 #[cfg(target_arch = "wasm32")]
 pub use fonts::fonts_for_svg;
 pub use fonts::{icon_font, semibold};
+pub use scale::contact_scale;
 pub use segments::{Segment, segments};
 pub use style::{MOTION_SECONDS, Tokens, colour, icon, icon_button, theme_of};
 

@@ -8,7 +8,8 @@ use crate::app::words;
 use crate::equilibrium::{Event, Occurrence};
 use crate::units::{metres, millimetres};
 use eframe::egui::{
-    Align2, FontId, Painter, Rangef, Rect, Response, Sense, Slider, Stroke, Ui, pos2, vec2,
+    Align2, FontId, Painter, Rangef, Rect, Response, Sense, Slider, SliderClamping, Stroke, Ui,
+    pos2, vec2,
 };
 
 /// Height of the slider, of which its handle takes four fifths.
@@ -56,6 +57,7 @@ fn load_slider(ui: &mut Ui, state: &mut State, loads: &Loads) -> ((f64, f64), Re
     let mut load_g = loads.load_g(*pull_mm);
     let slider = Slider::new(&mut load_g, span.0..=span.1)
         .show_value(false)
+        .clamping(SliderClamping::Edits)
         .max_decimals(1);
     let response = ui.add(slider).accessible_name("Load slider");
     if response.changed() {

@@ -136,6 +136,8 @@ fn load(ui: &mut Ui, state: &mut State, loads: &Loads) {
     let field = DragValue::new(&mut load_g)
         .speed(0.5)
         .range(0.0..=loads.most_g())
+        // A shape that needs more was reached by its pull.
+        .clamp_existing_to_range(false)
         .fixed_decimals(1)
         .suffix(" g");
     let response = ui

@@ -4,7 +4,7 @@ use super::PlotData;
 use super::marks::{self, Mark};
 use super::pane::value_at;
 use crate::equilibrium::Class;
-use crate::explore::{LoadCurve, Path};
+use crate::explore::{LoadCurve, Path, usual_end};
 use crate::forces::{Rates, Sweep, VirtualWork, VirtualWorkError, Window};
 use crate::model::Line;
 use crate::scene::ForceReading;
@@ -296,8 +296,7 @@ impl Forces {
         };
         let read = data.readings().iter().map(|reading| reading.load_g);
         let read = 1.2 * read.fold(0.0, f64::max);
-        let reached = points.iter().map(|point| grams(point.load));
-        let reached = reached.fold(0.0, f64::max);
+        let reached = usual_end(points.iter().map(|point| grams(point.load)));
         Self {
             total: total.collect(),
             widest: if read > 0.0 { read } else { reached },

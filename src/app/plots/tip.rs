@@ -96,12 +96,16 @@ pub(super) fn show(
     let mut reading = Text::default();
     let known = !cache.course.pieces.is_empty();
     if known {
-        let shown = Quantity::fixed(millimetres(pull), 2, "mm");
+        // In millimetres all, as the ordinate says.
+        let shown = Quantity::fixed(millimetres(pull), 2, "");
         reading = reading.value("pull", &shown, &tokens);
         for curve in &curves {
             if let Some(value) = cache.course.value(curve.of, millimetres(pull)) {
-                let decimals = if curve.unit == "mm" { 2 } else { 1 };
-                let shown = Quantity::fixed(value, decimals, curve.unit);
+                let (decimals, unit) = match curve.unit {
+                    "mm" => (2, ""),
+                    unit => (1, unit),
+                };
+                let shown = Quantity::fixed(value, decimals, unit);
                 reading = reading.value(curve.name, &shown, &tokens);
             }
         }

@@ -3,11 +3,10 @@
 
 use super::{Stays, caption, large};
 use crate::app::commands::{ALL, Group};
-use crate::app::look::{Tokens, colour, semibold, theme_of};
+use crate::app::look::{Tokens, colour, contact_scale, semibold, theme_of};
 use crate::view::{Role, Standing};
 use eframe::egui::{
-    Color32, Context, Frame, Grid, Label, Margin, Mesh, Pos2, Rect, RichText, Sense, Shape, Stroke,
-    Ui, pos2, vec2,
+    Color32, Context, Frame, Grid, Label, Margin, Rect, RichText, Sense, Stroke, Ui, vec2,
 };
 
 /// The paper whose model this is.
@@ -145,25 +144,14 @@ impl Swatch {
             }
             Swatch::Scale => {
                 let bar = Rect::from_center_size(rect.center(), vec2(rect.width(), 10.0));
-                let theme = theme_of(ui);
-                let mut mesh = Mesh::default();
-                for step in 0..=12_u32 {
-                    let share = f64::from(step) / 12.0;
-                    let ink = colour(theme.contact(share));
-                    let x = bar.left() + share as f32 * bar.width();
-                    mesh.colored_vertex(pos2(x, bar.top()), ink);
-                    mesh.colored_vertex(Pos2::new(x, bar.bottom()), ink);
-                    if step > 0 {
-                        let next = 2 * step;
-                        mesh.add_triangle(next - 2, next - 1, next);
-                        mesh.add_triangle(next - 1, next, next + 1);
-                    }
-                }
-                painter.add(Shape::mesh(mesh));
+                painter.add(contact_scale(bar, theme_of(ui)));
             }
         }
     }
 }
+
+/// Width of the commands' titles, in points.
+const TITLES: f32 = 208.0;
 
 fn keys(ui: &mut Ui) {
     for group in Group::ALL {
@@ -178,7 +166,11 @@ fn keys(ui: &mut Ui) {
             .spacing(vec2(16.0, 4.0))
             .show(ui, |ui| {
                 for entry in entries {
-                    ui.label(entry.title);
+                    ui.horizontal(|ui| {
+                        // The keys of all groups below each other.
+                        ui.set_min_width(TITLES);
+                        ui.label(entry.title);
+                    });
                     if let Some(keys) = &entry.shortcut {
                         let keys = ui.ctx().format_shortcut(keys);
                         key(ui, &keys);

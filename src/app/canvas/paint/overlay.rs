@@ -3,12 +3,12 @@
 
 use super::flattened;
 use crate::app::live::Live;
-use crate::app::look::{Tokens, colour};
+use crate::app::look::{Tokens, contact_scale};
 use crate::app::state::Selection;
 use crate::app::words;
 use crate::units::millimetres;
 use crate::view::{Drawing, Frame, Geometry, Quantity, Role, Theme, clip_half_plane, one_two_five};
-use eframe::egui::{Align2, Color32, FontId, Mesh, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+use eframe::egui::{Align2, FontId, Painter, Rect, Shape, Stroke, pos2, vec2};
 
 /// Distance of the overlays from the canvas's edges, in points.
 const EDGE: f32 = 16.0;
@@ -132,7 +132,7 @@ pub fn legend(painter: &Painter, drawing: &Drawing, rect: Rect, theme: Theme) {
         pos2(number.left() - 8.0 - 96.0, middle - 4.0),
         pos2(number.left() - 8.0, middle + 4.0),
     );
-    gradient(painter, bar, theme);
+    painter.add(contact_scale(bar, theme));
     let zero = painter.text(
         bar.left_center() - vec2(8.0, 0.0),
         Align2::RIGHT_CENTER,
@@ -149,24 +149,4 @@ pub fn legend(painter: &Painter, drawing: &Drawing, rect: Rect, theme: Theme) {
             tokens.muted,
         );
     }
-}
-
-/// The contact scale from 0 to 1, left to right.
-fn gradient(painter: &Painter, bar: Rect, theme: Theme) {
-    const STEPS: u32 = 24;
-    let mut mesh = Mesh::default();
-    for step in 0..=STEPS {
-        let share = step as f32 / STEPS as f32;
-        let ink: Color32 = colour(theme.contact(f64::from(share)));
-        let x = bar.left() + share * bar.width();
-        let at = |y: f32| Pos2::new(x, y);
-        mesh.colored_vertex(at(bar.top()), ink);
-        mesh.colored_vertex(at(bar.bottom()), ink);
-        if step > 0 {
-            let next = 2 * step;
-            mesh.add_triangle(next - 2, next - 1, next);
-            mesh.add_triangle(next - 1, next, next + 1);
-        }
-    }
-    painter.add(Shape::mesh(mesh));
 }
