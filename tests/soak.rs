@@ -307,6 +307,32 @@ impl Window {
         }
     }
 
+    /// Lets go of everything, so that what was done is over.
+    fn rest(&mut self) {
+        self.release();
+        self.frame();
+        self.ctx.memory_mut(|memory| memory.stop_text_input());
+        if self.app.state().transport.is_playing() {
+            self.command(Command::Play);
+        }
+        self.frame();
+        self.frame();
+    }
+
+    /// Gives a command until it would do nothing.
+    fn all(&mut self, command: Command) -> TestCaseResult {
+        for _ in 0..ACTIONS {
+            if !command.is_enabled(self.app.state()) {
+                break;
+            }
+            // More than there are do nothing.
+            (0..20).for_each(|_| self.command(command));
+            self.frame();
+            self.check()?;
+        }
+        Ok(())
+    }
+
     /// What must hold after every frame.
     fn check(&self) -> TestCaseResult {
         let state = self.app.state();
@@ -352,18 +378,12 @@ fn nothing_breaks_the_window_and_undo_leads_back() {
             window.frame();
             window.check()?;
         }
-        window.release();
-        window.frame();
-        for _ in 0..ACTIONS {
-            if !Command::Undo.is_enabled(window.app.state()) {
-                break;
-            }
-            // More than there are do nothing.
-            (0..20).for_each(|_| window.command(Command::Undo));
-            window.frame();
-            window.check()?;
-        }
+        window.rest();
+        let end = window.scene().clone();
+        window.all(Command::Undo)?;
         prop_assert_eq!(window.scene(), &start);
+        window.all(Command::Redo)?;
+        prop_assert_eq!(window.scene(), &end);
         Ok(())
     });
     if let Err(failure) = result {

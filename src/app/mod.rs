@@ -154,6 +154,9 @@ impl Sinew {
         sheets::show(&ctx, state);
         state.notices.show(&ctx);
         files::announce(ui);
+        // Commands find a scene that can be solved, so that every step of undo is
+        // one.
+        state.take_edits(&ctx);
         for command in std::mem::take(&mut state.commands) {
             commands::run(command, state, &ctx);
         }

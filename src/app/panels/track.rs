@@ -47,6 +47,8 @@ fn pull_slider(ui: &mut Ui, state: &mut State) -> ((f64, f64), Response) {
     let pull_mm = &mut state.document.scene.actuation.pull_mm;
     let slider = Slider::new(pull_mm, span.0..=span.1)
         .show_value(false)
+        // A pull that nobody edits stays what it is, to the last digit.
+        .clamping(SliderClamping::Edits)
         .max_decimals(3);
     (span, ui.add(slider).accessible_name("Pull slider"))
 }
