@@ -9,11 +9,13 @@
 //! Differs from a tangent predictor: the first quadratic subproblem at the new
 //! problem is itself the tangent step, and also predicts which contacts come
 //! and go. A step is halved unless that prediction explains most of where its
-//! solve ends. Where this holds at no step size the branch has ended: if the
-//! solve finds an equilibrium from there, the robot has jumped, and the run
-//! goes on from it with an [`super::Event`]; if not, the run ends.
+//! solve ends and the tangent there points back to where it started. Where this
+//! holds at no step size the branch has ended: if the solve finds an
+//! equilibrium from there, the robot has jumped, and the run goes on from it
+//! with an [`super::Event`]; if not, the run ends.
 
 mod ending;
+mod follow;
 mod history;
 mod step;
 
@@ -76,11 +78,7 @@ pub enum Progress {
 /// Steps below this share of the backbone's length, of pull or of obstacle
 /// motion, are not halved any more: the branch ends there.
 const LEAST_STEP: f64 = 1e-5;
-/// A step is refused where any segment turns by more than this, in radians.
-const MOST_TURNED: f64 = 0.3;
-/// Share of the predicted turn that the rest of the solve may add …
-const UNPREDICTED: f64 = 0.4;
-/// … and what it may add in any case, in radians.
+/// Change of a turn that is not noticed, in radians.
 const UNNOTICED: f64 = 2e-3;
 /// Iterations a step's solve may take before the step is halved: one that
 /// follows the branch takes three to eight.
@@ -130,7 +128,7 @@ pub struct Run {
     from: Problem,
     to: Problem,
     now: Problem,
-    /// The problem of the anchor, where obstacles move.
+    /// The problem of the anchor, or one near the step's end to look back from.
     here: Problem,
     goal: Problem,
     /// Whether obstacles move on the present leg.
@@ -153,6 +151,9 @@ pub struct Run {
     predicted: Vec<Control<1>>,
     started: Vec<Control<1>>,
     sqp: Sqp<Problem, 3, 1>,
+    /// The solve that looks back from a step's end, and what presses there.
+    back: Sqp<Problem, 3, 1>,
+    pressing: Vec<(RowId, f64)>,
     phase: Phase,
     iterations: usize,
     solution: Solution,
@@ -188,6 +189,8 @@ impl Run {
             predicted: Vec::new(),
             started: Vec::new(),
             sqp: Sqp::default(),
+            back: Sqp::default(),
+            pressing: Vec::new(),
             phase: Phase::Between,
             iterations: 0,
             solution: Solution::default(),

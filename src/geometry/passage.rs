@@ -34,6 +34,37 @@ impl Obstacle {
         normal_before.dot(&normal_after) < 0.0 && later.cuts(start, end, radius)
     }
 
+    /// How far, as a cosine, the outward normal turns for a point, `radius`
+    /// thick, that goes straight from one place to another while this obstacle
+    /// becomes `later`, and dips into it on the way: it comes nearer first,
+    /// goes away in the end, and cuts the outline in between. `None` for one
+    /// that does not, or goes less than `least` relative to the obstacle;
+    /// `moved` as for [`Obstacle::point_passes`].
+    pub fn point_dips(
+        &self,
+        later: &Self,
+        (from, to): Motion,
+        radius: f64,
+        (least, moved): (f64, f64),
+    ) -> Option<f64> {
+        if self.is_beyond(from, radius + moved) {
+            return None;
+        }
+        let start = self.to_local(from);
+        let end = later.to_local(to);
+        if (end - start).norm() < least {
+            return None;
+        }
+        // The distance to a convex outline is convex along the path.
+        let before = self.turn_to_local(self.clearance(from).normal);
+        if before.dot(&(end - start)) >= 0.0 {
+            return None;
+        }
+        let after = later.turn_to_local(later.clearance(to).normal);
+        let dips = after.dot(&(end - start)) > 0.0 && later.cuts(start, end, radius);
+        dips.then(|| before.dot(&after))
+    }
+
     /// Whether an edge, its ends moving straight, sweeps over the obstacle
     /// while it becomes `later`: over a vertex of a point's or a segment's
     /// core, which always lie within a radius, or over a polygon's middle. (A

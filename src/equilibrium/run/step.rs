@@ -1,9 +1,6 @@
 //! One step along the branch: its solve, and whether to take it.
 
-use super::{
-    EASY, LAST_ITERATIONS, MOST_TURNED, Phase, Run, STEP_ITERATIONS, UNNOTICED, UNPREDICTED,
-    farthest,
-};
+use super::{EASY, LAST_ITERATIONS, Phase, Run, STEP_ITERATIONS};
 use crate::equilibrium::event::Occurrence;
 use crate::equilibrium::status::{EndReason, Status};
 use crate::solver::{Outcome, Progress, Settings};
@@ -60,11 +57,13 @@ impl Run {
             return;
         };
         let locked = self.locked_segment();
-        let follows = self.follows();
         let last_try = self.step <= self.least_step;
-        if outcome == Outcome::Converged && locked.is_none() && (follows || last_try) {
-            self.accept(follows);
-            return;
+        if outcome == Outcome::Converged && locked.is_none() && (last_try || !self.dips()) {
+            let follows = self.follows();
+            if follows || last_try {
+                self.accept(follows);
+                return;
+            }
         }
         if !last_try {
             self.shorten(EndReason::Fold);
@@ -81,16 +80,6 @@ impl Run {
             Outcome::OutsideDomain => Status::NumericalFailure,
         };
         self.end(status);
-    }
-
-    /// Whether the step's end is on the branch the anchor is on: its first
-    /// iteration, the tangent, explains most of it.
-    pub(super) fn follows(&self) -> bool {
-        let end = &self.sqp.point().controls;
-        let turned = farthest(&self.started, end);
-        let predicted = farthest(&self.started, &self.predicted);
-        let rest = farthest(&self.predicted, end);
-        turned <= MOST_TURNED && rest <= UNPREDICTED * predicted + UNNOTICED
     }
 
     pub(super) fn shorten(&mut self, reason: EndReason) {
