@@ -11,7 +11,7 @@
 use divan::Bencher;
 use eframe::egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
 use sinew::app::backend::Thread;
-use sinew::app::{Preferences, Sinew, Views};
+use sinew::app::{Command, Preferences, Sinew, Views};
 use sinew::scene::Scene;
 use std::cell::RefCell;
 use std::sync::mpsc::{Receiver, channel};
@@ -54,6 +54,8 @@ impl Window {
         let Ok(app) = opened else {
             panic!("a window on the scene of this bench");
         };
+        let mut app = app;
+        app.state_mut().commands.push(Command::SpreadPlots);
         let mut window = Self {
             ctx,
             app,

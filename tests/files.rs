@@ -10,9 +10,11 @@ use eframe::egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use egui_tiles::Tile;
 use sinew::app::backend::Inline;
+use sinew::app::dock::{Arrangement, Dock};
 use sinew::app::files::autosave::Stored;
-use sinew::app::{Preferences, Selection, Sinew, State, Views};
+use sinew::app::{Command, Preferences, Selection, Sinew, State, Views};
 use sinew::scene::Scene;
 use std::path::Path;
 
@@ -94,6 +96,10 @@ fn drop_on(window: &mut Window, desk: &Desk, path: &str) {
 fn commands(window: &Window) -> Vec<ViewportCommand> {
     let outputs = window.output().viewport_output.values();
     outputs.flat_map(|output| output.commands.clone()).collect()
+}
+
+fn arrangement(window: &Window) -> &Arrangement {
+    state(window).dock.as_ref().unwrap().arrangement()
 }
 
 fn stored_by(window: &mut Window) -> Storage {
@@ -335,6 +341,38 @@ fn choices_outlive_the_window() {
     assert_eq!(state(&window).preferences.zoom, Preferences::ZOOMS.1);
     ctrl(&mut window, Key::Num0);
     assert_eq!(state(&window).preferences.zoom, 1.0);
+}
+
+#[test]
+fn the_plots_stay_where_they_were_put() {
+    let desk = Desk::default();
+    let mut earlier = window(&desk);
+    earlier.key_press(Key::A);
+    earlier.run();
+    let spread = arrangement(&earlier).clone();
+    let stored = Stored::of(Some(&stored_by(&mut earlier)));
+    let mut later = window_with(&desk, stored, SIZE, Theme::Light);
+    assert_eq!(*arrangement(&later), spread);
+    // All five plots are shown, where the tabs show three at a time.
+    for plot in ["Force against load", "Energy over the pull"] {
+        assert!(later.query_by_label_contains(plot).is_some(), "{plot}");
+    }
+    let commands = &mut later.state_mut().state_mut().commands;
+    commands.push(Command::GroupPlots);
+    later.run();
+    assert_ne!(*arrangement(&later), spread);
+    assert_eq!(*arrangement(&later), *arrangement(&window(&desk)));
+
+    // Panes that are missing would never be seen again.
+    let mut dock = Dock::default();
+    let mut poor = spread.clone();
+    let pane = poor
+        .tiles
+        .tile_ids()
+        .find(|id| matches!(poor.tiles.get(*id), Some(Tile::Pane(_))));
+    poor.tiles.remove(pane.unwrap());
+    dock.arrange(poor);
+    assert_eq!(dock.arrangement(), Dock::default().arrangement());
 }
 
 #[test]

@@ -1,52 +1,110 @@
-//! The window, driven as a person would and looked at.
+//! The window as a whole: what it shows at first, and pictures of whole screens
+//! in `tests/screens`. `UPDATE_SNAPSHOTS=1 cargo test --test window` renews them;
+//! then look at them.
+//!
+//! The pictures are those of lavapipe, Mesa's Vulkan driver in software, at one
+//! pixel a point. Where the solver's time is written they are covered.
 
-use eframe::egui::{Theme, vec2};
-use egui_kittest::Harness;
-use sinew::app::backend::Inline;
-use sinew::app::{Preferences, Sinew};
+mod window_harness;
 
-/// A window on the first example, solved inline so that nothing races.
-fn window(size: [f32; 2], theme: Theme) -> Harness<'static, Sinew> {
-    let preferences = Preferences {
-        theme: theme.into(),
-        ..Preferences::default()
-    };
-    Harness::builder()
-        .with_size(vec2(size[0], size[1]))
-        .with_pixels_per_point(1.0)
-        .with_theme(theme)
-        .wgpu()
-        .build_eframe(move |cc| {
-            sinew::render::install(cc.wgpu_render_state.as_ref().unwrap());
-            let backend = Box::new(Inline::to_the_end());
-            Sinew::new(&cc.egui_ctx, None, backend, preferences).unwrap()
-        })
+use eframe::egui::{Key, Rect, Theme, pos2};
+use egui_kittest::SnapshotOptions;
+use egui_kittest::kittest::Queryable;
+use sinew::app::Views;
+use sinew::equilibrium::Status;
+use sinew::scene::Scene;
+use window_harness::Window;
+
+const SIZE: [f32; 2] = [1200.0, 750.0];
+const PHONE: [f32; 2] = [390.0, 780.0];
+
+/// Compares a picture of the window with the one that is kept.
+fn compare(window: &mut Window, name: &str) {
+    let chip = window.harness.get_by_label_contains("Status:").rect();
+    // The residual, the iterations and the time, right of the word.
+    let numbers = Rect::from_min_max(pos2(chip.left() + 124.0, chip.top()), chip.max);
+    if numbers.is_positive() {
+        window.harness.mask(numbers);
+    }
+    // What differs between two versions of the driver is less than this; a
+    // colour or a place that has changed is more.
+    let options = SnapshotOptions::new()
+        .threshold(1.0)
+        .max_failed_pixels(10)
+        .output_path("tests/screens");
+    window.harness.snapshot_options(name, &options);
 }
 
-fn shoot(window: &mut Harness<'static, Sinew>, name: &str) {
-    if let Some(folder) = std::env::var_os("SHOTS") {
-        let file = std::path::Path::new(&folder).join(name);
-        window.render().unwrap().save(file).unwrap();
-    }
-}
-
-#[test]
-fn shots() {
-    for (theme, name) in [(Theme::Light, "light"), (Theme::Dark, "dark")] {
-        let mut window = window([1440.0, 900.0], theme);
-        window.run();
-        shoot(&mut window, &format!("{name}.png"));
-        window.state_mut().state_mut().preferences.views = sinew::app::Views::Both;
-        window.run();
-        shoot(&mut window, &format!("{name}-both.png"));
-    }
+fn example(text: &str) -> Option<Scene> {
+    Some(Scene::from_toml(text).unwrap())
 }
 
 #[test]
 fn opens_on_the_robot_leaning_on_two_discs() {
-    let mut window = window([1280.0, 800.0], Theme::Light);
-    window.run();
-    let state = window.state().state();
-    assert!(state.live.is_settled());
-    assert_eq!(state.live.solution().unwrap().contacts.len(), 2);
+    let mut window = Window::sized(SIZE, Theme::Light, None);
+    assert!(window.state().live.is_settled());
+    let solution = window.state().live.solution().unwrap();
+    assert_eq!(solution.contacts.len(), 2);
+    compare(&mut window, "light");
+}
+
+#[test]
+fn shows_plane_and_space_side_by_side_in_the_dark() {
+    let mut window = Window::sized(SIZE, Theme::Dark, None);
+    window.key(Key::Num3);
+    assert_eq!(window.state().preferences.views, Views::Both);
+    compare(&mut window, "dark-both");
+}
+
+#[test]
+fn shows_the_robot_in_space_alone() {
+    let grip = example(include_str!("../assets/scenes/grip.toml"));
+    let mut window = Window::sized(SIZE, Theme::Light, grip);
+    window.key(Key::Num2);
+    compare(&mut window, "space");
+}
+
+#[test]
+fn a_robot_that_can_go_no_further_is_greyed_with_its_reason() {
+    let wedge = example(include_str!("../assets/scenes/wedge.toml"));
+    let mut window = Window::sized(SIZE, Theme::Dark, wedge);
+    window
+        .harness
+        .state_mut()
+        .state_mut()
+        .document
+        .scene
+        .actuation
+        .pull_mm = 12.0;
+    window.harness.run();
+    let status = &window.state().live.solution().unwrap().status;
+    assert!(!matches!(status, Status::Converged), "{status:?}");
+    assert!(window.state().live.drawing().standing.is_greyed());
+    compare(&mut window, "infeasible");
+}
+
+#[test]
+fn a_phone_shows_the_canvas_and_the_slider() {
+    let mut window = Window::sized(PHONE, Theme::Light, None);
+    compare(&mut window, "phone");
+
+    // What has no room beside the canvas is below it.
+    let below = |window: &mut Window, button: &str, shown: &str| {
+        assert!(window.harness.query_by_label_contains(shown).is_none());
+        window.harness.get_by_label_contains(button).click();
+        window.harness.run();
+        window.harness.get_by_label_contains(shown);
+    };
+    below(&mut window, "the plots", "Multipliers by node");
+    window.shoot("phone-plots");
+    below(&mut window, "the outline", "Add an obstacle");
+    window.shoot("phone-outline");
+    window.harness.get_by_label("Close").click();
+    window.harness.run();
+    assert!(
+        window
+            .harness
+            .query_by_label_contains("Add an obstacle")
+            .is_none()
+    );
 }

@@ -65,6 +65,10 @@ pub enum Command {
     Outline,
     /// Shows or hides the plots.
     Dock,
+    /// Groups plots and tables in tabs.
+    GroupPlots,
+    /// Shows all plots at once.
+    SpreadPlots,
     /// Shows or hides the clearance field.
     Field,
     /// Shows or hides the grid.
@@ -209,6 +213,8 @@ pub const ALL: &[Entry] = &[
     entry(Command::ViewBoth, Group::View, "Show plane and space side by side", icons::COLUMNS, key(Key::Num3)),
     entry(Command::Outline, Group::View, "Show or hide the outline", icons::LIST, ctrl(Key::B)),
     entry(Command::Dock, Group::View, "Show or hide the plots", icons::CHART_LINE, ctrl(Key::J)),
+    entry(Command::GroupPlots, Group::View, "Group the plots in tabs", icons::SIDEBAR, None),
+    entry(Command::SpreadPlots, Group::View, "Show all plots at once", icons::CHART_BAR, key(Key::A)),
     entry(Command::Field, Group::View, "Show or hide the clearance field", icons::WAVES, key(Key::C)),
     entry(Command::Grid, Group::View, "Show or hide the grid", icons::GRID_FOUR, key(Key::G)),
     entry(Command::Trace, Group::View, "Show or hide the tip's trace", icons::PATH, key(Key::T)),

@@ -11,7 +11,9 @@ use crate::units::{METRES_PER_MM, millimetres};
 use eframe::egui::{
     Color32, Frame, Id, Margin, ScrollArea, Stroke, Style, Ui, Visuals, WidgetText,
 };
-use egui_tiles::{Behavior, SimplificationOptions, TabState, TileId, Tiles, Tree, UiResponse};
+use egui_tiles::{
+    Behavior, SimplificationOptions, TabState, Tile, TileId, Tiles, Tree, UiResponse,
+};
 use serde::{Deserialize, Serialize};
 
 /// Something in the dock.
@@ -54,7 +56,7 @@ struct Forces {
 impl Default for Dock {
     fn default() -> Self {
         Self {
-            tree: arranged(),
+            tree: arranged(&groups()),
             cache: PlotCache::default(),
             window: Window {
                 first: 0.0,
@@ -81,17 +83,48 @@ impl Forces {
     }
 }
 
+/// Where the panes are.
+pub type Arrangement = Tree<Pane>;
+
 impl Dock {
-    /// Puts all panes back where they were at first.
-    pub fn rearrange(&mut self) {
-        self.tree = arranged();
+    /// Groups the panes in tabs, as they are at first.
+    pub fn group(&mut self) {
+        self.tree = arranged(&groups());
+    }
+
+    /// Shows all plots at once, the tables behind the last.
+    pub fn spread(&mut self) {
+        let plots = Plot::ALL.map(|plot| vec![Pane::Plot(plot)]);
+        let mut groups = plots.to_vec();
+        if let Some(last) = groups.last_mut() {
+            last.extend([Pane::Contacts, Pane::Obstacles]);
+        }
+        self.tree = arranged(&groups);
+    }
+
+    /// Where the panes are.
+    pub fn arrangement(&self) -> &Arrangement {
+        &self.tree
+    }
+
+    /// Puts the panes where they were once, if that is a place for each of
+    /// them.
+    pub fn arrange(&mut self, arrangement: Arrangement) {
+        let all: Vec<Pane> = groups().concat();
+        let panes = arrangement.tiles.tiles().filter_map(|tile| match tile {
+            Tile::Pane(pane) => Some(*pane),
+            Tile::Container(_) => None,
+        });
+        let panes: Vec<Pane> = panes.collect();
+        if panes.len() == all.len() && all.iter().all(|pane| panes.contains(pane)) {
+            self.tree = arrangement;
+        }
     }
 }
 
-/// Three groups of tabs below each other; the paper's figures are in front.
-fn arranged() -> Tree<Pane> {
-    let mut tiles = Tiles::default();
-    let groups = [
+/// The panes in groups, the paper's figures in front.
+fn groups() -> [Vec<Pane>; 3] {
+    [
         vec![
             Pane::Plot(Plot::Multipliers),
             Pane::Plot(Plot::Bends),
@@ -99,13 +132,19 @@ fn arranged() -> Tree<Pane> {
         ],
         vec![Pane::Plot(Plot::Tip), Pane::Plot(Plot::Energy)],
         vec![Pane::Plot(Plot::Force), Pane::Obstacles],
-    ];
-    let groups = groups.map(|panes| {
-        let panes = panes.into_iter().map(|pane| tiles.insert_pane(pane));
-        let panes: Vec<TileId> = panes.collect();
+    ]
+}
+
+/// Groups of tabs below each other.
+fn arranged(groups: &[Vec<Pane>]) -> Arrangement {
+    let mut tiles = Tiles::default();
+    let groups = groups.iter().map(|panes| {
+        let panes = panes.iter().copied();
+        let panes: Vec<TileId> = panes.map(|pane| tiles.insert_pane(pane)).collect();
         tiles.insert_tab_tile(panes)
     });
-    let root = tiles.insert_vertical_tile(groups.to_vec());
+    let groups = groups.collect();
+    let root = tiles.insert_vertical_tile(groups);
     Tree::new(Id::unique("dock"), root, tiles)
 }
 

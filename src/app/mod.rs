@@ -10,7 +10,7 @@
 pub mod backend;
 mod canvas;
 mod commands;
-mod dock;
+pub mod dock;
 mod document;
 pub mod examples;
 pub mod files;
@@ -88,6 +88,9 @@ impl Sinew {
         state.preferences = stored.preferences;
         state.files.recent = stored.recent;
         state.files.unsaved = stored.unsaved;
+        if let (Some(dock), Some(arrangement)) = (&mut state.dock, stored.dock) {
+            dock.arrange(arrangement);
+        }
         for lost in stored.lost {
             let told = format!("What was stored of {lost} cannot be read and is left out.");
             state.notices.tell(Notice::trouble(told));

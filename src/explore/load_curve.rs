@@ -88,15 +88,35 @@ impl LoadCurve {
         let Some(a) = before.filter(|a| a.branch == b.branch && a.load < b.load) else {
             return (b.load == load).then(|| b.clone());
         };
-        let t = (load - a.load) / (b.load - a.load);
+        let point = a.towards(b, (load - a.load) / (b.load - a.load));
+        Some(LoadPoint { load, ..point })
+    }
+
+    /// The point at a pull, in metres, straight between the curve's points; at a
+    /// jump the one after it. `None` outside the curve.
+    pub fn at_pull(&self, pull: f64) -> Option<LoadPoint> {
+        let after = self.points.iter().position(|point| point.pull >= pull)?;
+        let b = &self.points[after];
+        let before = after.checked_sub(1).map(|i| &self.points[i]);
+        let Some(a) = before.filter(|a| a.branch == b.branch) else {
+            return (after > 0 || b.pull == pull).then(|| b.clone());
+        };
+        let point = a.towards(b, (pull - a.pull) / (b.pull - a.pull));
+        Some(LoadPoint { pull, ..point })
+    }
+}
+
+impl LoadPoint {
+    /// The point a share `t` of the way to another one of the same branch.
+    fn towards(&self, other: &Self, t: f64) -> Self {
         let mix = |a: f64, b: f64| (1.0 - t) * a + t * b;
-        let pairs = a.by_obstacle.iter().zip(&b.by_obstacle);
-        Some(LoadPoint {
-            pull: mix(a.pull, b.pull),
-            branch: a.branch,
-            load,
-            total: mix(a.total, b.total),
+        let pairs = self.by_obstacle.iter().zip(&other.by_obstacle);
+        Self {
+            pull: mix(self.pull, other.pull),
+            branch: self.branch,
+            load: mix(self.load, other.load),
+            total: mix(self.total, other.total),
             by_obstacle: pairs.map(|(a, b)| mix(*a, *b)).collect(),
-        })
+        }
     }
 }

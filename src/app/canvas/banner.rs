@@ -176,12 +176,40 @@ fn stuck_at(problem: &Problem, solution: &Solution) -> Vec<Vector> {
             let place = |line: Line, node: usize| {
                 let candidates = problem.candidates().iter();
                 let mut of = candidates.filter(|c| c.line == line && c.node == node);
-                let lever = of.next().map_or(0.0, |candidate| candidate.lever());
-                nodes.get(node).map(|node| node.at(lever))
+                let candidate = of.next().filter(|it| it.node < nodes.len())?;
+                let (a, b) = candidate.ends(nodes);
+                Some(0.5 * (a + b))
             };
             let places = conflicts.iter().filter_map(|c| place(c.line, c.node));
             places.collect()
         }
         _ => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equilibrium::{Settings, Start, solve};
+    use crate::scene::Scene;
+
+    #[test]
+    fn rings_are_where_the_conflicts_are() {
+        let wedge = include_str!("../../../assets/scenes/wedge.toml");
+        let mut scene = Scene::from_toml(wedge).unwrap();
+        scene.actuation.pull_mm = 12.0;
+        let problem = Problem::new(&scene).unwrap();
+        let solution = solve(&problem, Start::Straight, Settings::default());
+        assert!(matches!(solution.status, Status::Infeasible { .. }));
+        let places = stuck_at(&problem, &solution);
+        assert!(!places.is_empty());
+        // Every one of them is inside a part that presses, whose disks are 3 mm
+        // thick.
+        for place in places {
+            let contacts = solution.contacts.iter();
+            let near = contacts.map(|contact| (contact.point - place).norm());
+            let near = near.fold(f64::INFINITY, f64::min);
+            assert!(near < 2e-3, "{place} is {near} m from any contact");
+        }
     }
 }

@@ -263,6 +263,7 @@ fn overlays(ui: &mut Ui, state: &mut State, frame: &Frame, rect: Rect, response:
     banner::rings(ui, &painter, state, frame);
     tools::paint_draft(&painter, &state.canvas, frame, pointer, &tokens);
     let calm = state.canvas.gesture.is_none() && state.canvas.tool == Tool::Select;
+    let calm = calm && !state.live.drawing().standing.is_greyed();
     if calm && state.hovering == Hovered::Nothing && state.selection == Selection::Nothing {
         let hints = state.preferences.hints;
         hints.paint(&painter, &state.live, frame, rect, &tokens);

@@ -2,13 +2,22 @@
 
 use super::Command;
 use crate::app::canvas::copied;
+use crate::app::dock::Dock;
 use crate::app::files::{self, Intent, Saving, export};
-use crate::app::panels::settings_id;
+use crate::app::panels::{Side, settings_id};
 use crate::app::platform::{Errand, PictureKind};
 use crate::app::sheets::Sheet;
 use crate::app::state::{Rescale, Selection, State, Views};
 use crate::scene::Obstacle;
 use eframe::egui::{Context, Popup, Theme, ThemePreference, ViewportCommand};
+
+/// Arranges the plots, and shows them.
+fn arrange(state: &mut State, how: impl FnOnce(&mut Dock)) {
+    state.preferences.dock = true;
+    if let Some(dock) = &mut state.dock {
+        how(dock);
+    }
+}
 
 /// Runs a command, if it would do anything.
 pub fn run(command: Command, state: &mut State, ctx: &Context) {
@@ -84,8 +93,10 @@ pub fn run(command: Command, state: &mut State, ctx: &Context) {
         Command::ViewPlane => state.preferences.views = Views::Plane,
         Command::ViewSpace => state.preferences.views = Views::Space,
         Command::ViewBoth => state.preferences.views = Views::Both,
-        Command::Outline => state.preferences.outline ^= true,
-        Command::Dock => state.preferences.dock ^= true,
+        Command::Outline => Side::Outline.toggle(state, ctx),
+        Command::Dock => Side::Dock.toggle(state, ctx),
+        Command::GroupPlots => arrange(state, Dock::group),
+        Command::SpreadPlots => arrange(state, Dock::spread),
         Command::Field => state.preferences.field ^= true,
         Command::Grid => state.preferences.grid ^= true,
         Command::Trace => {

@@ -6,6 +6,7 @@
 //! value that cannot be read is dropped and told.
 
 use super::Arrival;
+use crate::app::dock::{Arrangement, Dock};
 use crate::app::state::{Preferences, State};
 use crate::scene::{Scene, SceneError};
 use eframe::Storage;
@@ -16,6 +17,7 @@ use std::path::PathBuf;
 const PREFERENCES: &str = "preferences";
 const RECENT: &str = "recent";
 const UNSAVED: &str = "unsaved";
+const DOCK: &str = "dock";
 
 /// Scenes that are kept for a decision, the newest first.
 const MOST_UNSAVED: usize = 5;
@@ -68,6 +70,8 @@ pub struct Stored {
     pub recent: Vec<PathBuf>,
     /// Scenes that were not saved, the newest first.
     pub unsaved: Vec<Unsaved>,
+    /// Where the plots and tables were, if that is known.
+    pub dock: Option<Arrangement>,
     /// What could not be read, in words.
     pub lost: Vec<&'static str>,
 }
@@ -84,6 +88,7 @@ impl Stored {
         stored.preferences.bring_into_range();
         stored.recent = read(storage, RECENT, "the list of recent files", lost);
         stored.unsaved = read(storage, UNSAVED, "work that was not saved", lost);
+        stored.dock = read(storage, DOCK, "where the plots were", lost);
         stored
     }
 }
@@ -114,6 +119,9 @@ pub fn store(state: &State, storage: &mut dyn Storage) {
     eframe::set_value(storage, PREFERENCES, &state.preferences);
     eframe::set_value(storage, RECENT, &state.files.recent);
     eframe::set_value(storage, UNSAVED, &unsaved);
+    if let Some(dock) = &state.dock {
+        eframe::set_value(storage, DOCK, &Some(dock.arrangement()));
+    }
 }
 
 /// What tells whether anything differs from what was last stored.
@@ -124,6 +132,7 @@ pub(super) struct Mark {
     file: Option<PathBuf>,
     preferences: Preferences,
     unsaved: usize,
+    dock: Option<Arrangement>,
 }
 
 impl Mark {
@@ -134,6 +143,7 @@ impl Mark {
             file: state.document.file.clone(),
             preferences: state.preferences.clone(),
             unsaved: state.files.unsaved.len(),
+            dock: state.dock.as_ref().map(|dock| dock.arrangement().clone()),
         }
     }
 
@@ -143,6 +153,7 @@ impl Mark {
             && self.unsaved == state.files.unsaved.len()
             && self.file == state.document.file
             && self.preferences == state.preferences
+            && self.dock.as_ref() == state.dock.as_ref().map(Dock::arrangement)
             && self.scene == state.document.scene
     }
 }

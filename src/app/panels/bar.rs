@@ -17,10 +17,11 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     let width = ui.available_width();
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        menu::show(ui, state);
+        menu::show(ui, state, width >= MIDDLING);
         if width >= MIDDLING {
             examples(ui, state);
         }
+        let phone = width < MIDDLING;
         button(ui, state, Command::Undo);
         button(ui, state, Command::Redo);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -29,19 +30,19 @@ pub fn show(ui: &mut Ui, state: &mut State) {
                 button(ui, state, Command::Help);
             }
             settings::show(ui, state);
-            if width >= MIDDLING {
+            if !phone {
                 theme(ui, state);
-                button(ui, state, Command::Dock);
-                button(ui, state, Command::Outline);
             }
-            ui.add_space(4.0);
+            button(ui, state, Command::Dock);
+            button(ui, state, Command::Outline);
             if width >= WIDE {
+                ui.add_space(4.0);
                 search(ui, state);
+                ui.add_space(4.0);
             } else {
                 button(ui, state, Command::Palette);
             }
-            ui.add_space(4.0);
-            views(ui, state);
+            views(ui, state, phone);
             if width >= MIDDLING {
                 ui.add_space(4.0);
                 name(ui, state);
@@ -98,7 +99,7 @@ fn theme(ui: &mut Ui, state: &mut State) {
 }
 
 /// The views, of which one is chosen.
-fn views(ui: &mut Ui, state: &mut State) {
+fn views(ui: &mut Ui, state: &mut State, phone: bool) {
     let views = [
         (Views::Plane, "2-D", Command::ViewPlane),
         (Views::Space, "3-D", Command::ViewSpace),
@@ -110,9 +111,11 @@ fn views(ui: &mut Ui, state: &mut State) {
         tip: command.tip(ui.ctx()),
         enabled: true,
     });
+    // A phone has no room for both.
+    let shown = if phone { &shown[..2] } else { &shown };
     let current = state.preferences.views;
     let current = views.iter().position(|(view, ..)| *view == current);
-    if let Some(chosen) = segments(ui, vec2(46.0, 24.0), &shown, current) {
+    if let Some(chosen) = segments(ui, vec2(46.0, 24.0), shown, current) {
         state.commands.push(views[chosen].2);
     }
 }

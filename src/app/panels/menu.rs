@@ -6,15 +6,20 @@ use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::platform::Errand;
 use crate::app::state::State;
 use eframe::egui::containers::menu::MenuButton;
-use eframe::egui::{Button, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{Button, RichText, Role, Ui, WidgetInfo, vec2};
 
-/// Shows the menu's button, and the menu while it is open.
-pub fn show(ui: &mut Ui, state: &mut State) {
+/// Shows the menu's button, with the program's name or without, and the menu while it is open.
+pub fn show(ui: &mut Ui, state: &mut State, named: bool) {
     let tokens = Tokens::in_ui(ui);
     let title = RichText::new("Sinew")
         .font(semibold(14.0))
         .color(tokens.text);
-    let button = Button::new((icon(icons::LIST), title)).frame_when_inactive(false);
+    let button = if named {
+        Button::new((icon(icons::LIST), title))
+    } else {
+        Button::new(icon(icons::LIST)).min_size(vec2(32.0, 32.0))
+    };
+    let button = button.frame_when_inactive(false);
     let (button, _) = MenuButton::from_button(button).ui(ui, |ui| {
         ui.set_min_width(160.0);
         for group in Group::ALL {

@@ -2,34 +2,54 @@
 //! happens on the way, and the load where the stiffness is known.
 
 use super::bar::button;
-use super::track;
+use super::{status, track};
 use crate::app::commands::Command;
 use crate::app::load::Loads;
 use crate::app::look::{Segment, icon_button, icons, segments};
 use crate::app::state::State;
 use crate::app::transport::Transport;
 use crate::view::Quantity;
-use eframe::egui::{ComboBox, DragValue, Ui, Vec2, vec2};
+use eframe::egui::{Align, ComboBox, DragValue, Layout, Ui, Vec2, vec2};
 
-/// Below this width, in points, only play, the pull and its slider stay.
+/// Below this width, in points, the slider has a row of its own, and what can be
+/// done without is left out.
 const NARROW: f32 = 640.0;
 /// Size of the field of what is set, in points.
 const FIELD: Vec2 = vec2(84.0, 28.0);
 
-/// Shows the transport bar.
+/// Shows the transport bar with the status chip at its right end.
 pub fn show(ui: &mut Ui, state: &mut State) {
-    let wide = ui.available_width() >= NARROW;
-    ui.horizontal(|ui| {
-        play(ui, state);
-        if wide {
-            looping(ui, state);
-            speed(ui, &mut state.transport);
-            button(ui, state, Command::FromStraight);
-            ui.add_space(8.0);
-        }
-        let loads = actuation(ui, state);
-        track::show(ui, state, loads.as_ref());
+    let bar = ui.available_width();
+    let row = vec2(bar, ui.spacing().interact_size.y);
+    let layout = Layout::right_to_left(Align::Center);
+    let narrow = bar < NARROW;
+    let loads = ui.allocate_ui_with_layout(row, layout, |ui| {
+        ui.spacing_mut().item_spacing.x = 16.0;
+        status::show(ui, state, bar);
+        let layout = Layout::left_to_right(Align::Center);
+        let controls = ui.with_layout(layout, |ui| {
+            ui.spacing_mut().item_spacing.x = 8.0;
+            play(ui, state);
+            if !narrow {
+                looping(ui, state);
+                speed(ui, &mut state.transport);
+                button(ui, state, Command::FromStraight);
+                ui.add_space(8.0);
+            }
+            let loads = actuation(ui, state);
+            if !narrow {
+                track::show(ui, state, loads.as_ref());
+            }
+            loads
+        });
+        controls.inner
     });
+    if narrow {
+        // A finger needs the whole width.
+        ui.add_space(4.0);
+        track::show(ui, state, loads.inner.as_ref());
+        ui.add_space(8.0);
+    }
 }
 
 fn play(ui: &mut Ui, state: &mut State) {

@@ -72,6 +72,8 @@ pub(super) struct Stem {
     /// The node, or where between two on a link.
     pub at: f64,
     pub side: Side,
+    /// What of the robot touches, in a word or two.
+    pub part: &'static str,
     /// In rad²/mm; 0 for a contact that grazes.
     pub multiplier: f64,
     /// As a share of the greatest.
@@ -196,6 +198,13 @@ impl Shape {
                     node
                 },
                 side: Side::of(contact.line),
+                part: match contact.line {
+                    Line::Cable | Line::CableLink => "cable",
+                    Line::Backbone | Line::BackboneLink => "backbone",
+                    Line::RimCableSide => "cable-side rim",
+                    Line::RimFarSide => "far rim",
+                    Line::Disk => "disk",
+                },
                 multiplier,
                 share: if self.greatest > 0.0 {
                     multiplier / self.greatest

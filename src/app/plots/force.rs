@@ -59,11 +59,11 @@ pub(super) fn show(
     let here = present(data, cache);
     let twin = twin(cache, link);
     let mut reading = Text::default();
-    let read = twin.map(|point| (grams(point.load), grams(point.total)));
-    if let Some((load, force)) = read.or(here.map(|point| (point.x, point.y))) {
+    let twin = twin.map(|point| PlotPoint::new(grams(point.load), grams(point.total)));
+    if let Some(PlotPoint { x: load, y: force }) = twin.or(here) {
         reading = reading
             .value("load", &Quantity::fixed(load, 1, "g"), &tokens)
-            .value("force", &Quantity::fixed(force, 1, "g"), &tokens);
+            .value("force", &Quantity::significant(force, "g"), &tokens);
     }
     let name = ordinate(&force, &tokens);
     let mut action = header(ui, Plot::Force, data, cache, name, reading, |_| {});
@@ -78,7 +78,6 @@ pub(super) fn show(
     surface.zero(&tokens);
     caveats(ui, &surface, cache, &tokens);
     names(ui, &surface, data, cache);
-    let twin = twin.map(|point| PlotPoint::new(grams(point.load), grams(point.total)));
     for point in [here, twin].into_iter().flatten() {
         let at = surface.at(point.x, point.y);
         painter.circle_filled(at, 4.5, tokens.accent);
@@ -113,14 +112,11 @@ pub(super) fn show(
 }
 
 /// The curve's point at the pull that the pointer is on somewhere.
-fn twin<'a>(cache: &'a PlotCache, link: &Link) -> Option<&'a LoadPoint> {
-    let Hovered::Pull(pull) = link.hovered else {
-        return None;
-    };
-    let points = &cache.forces.curve.as_ref()?.points;
-    let after = points.partition_point(|point| point.pull < pull);
-    let found = points.get(after).or(points.last())?;
-    (points.first()?.pull <= pull).then_some(found)
+fn twin(cache: &PlotCache, link: &Link) -> Option<LoadPoint> {
+    match link.hovered {
+        Hovered::Pull(pull) => cache.forces.curve.as_ref()?.at_pull(pull),
+        _ => None,
+    }
 }
 
 /// What a plot without anything to show says; `None` where there is something.
@@ -254,24 +250,21 @@ fn names(ui: &Ui, surface: &Surface<'_>, data: &PlotData<'_>, cache: &PlotCache)
     // Which obstacle takes how much, where there are several.
     if let Some(curve) = &cache.forces.curve
         && curve.obstacles.len() > 1
-        && let Some(point) = twin_or_here(data, cache)
+        && let Some(stiffness) = data.stiffness()
     {
+        let per_bend = stiffness.per_bend(data.problem);
         let mut corner = surface.frame().left_top() + vec2(8.0, 22.0);
-        for (index, force) in curve.obstacles.iter().zip(&point.by_obstacle) {
+        for index in &curve.obstacles {
+            let contacts = data.solution.contacts.iter();
+            let on = contacts.filter(|contact| contact.obstacle == *index);
+            let force = per_bend * on.map(|contact| contact.multiplier).sum::<f64>();
             let name = words::obstacle_of(data.scene, *index);
-            let shown = Quantity::fixed(grams(*force), 1, "g");
+            let shown = Quantity::significant(grams(force), "g");
             let text = Text::default().value(&name, &shown, &tokens);
             let rect = surface.name(corner, Align2::LEFT_TOP, text);
             corner = pos2(corner.x, rect.bottom());
         }
     }
-}
-
-/// The curve's point at the present pull.
-fn twin_or_here<'a>(data: &PlotData<'_>, cache: &'a PlotCache) -> Option<&'a LoadPoint> {
-    let points = &cache.forces.curve.as_ref()?.points;
-    let after = points.partition_point(|point| point.pull < data.solution.pull);
-    points.get(after).or(points.last())
 }
 
 /// The index of the reading that the pointer is on.

@@ -155,7 +155,7 @@ fn reading(data: &PlotData<'_>, link: &Link, tokens: &Tokens) -> Text {
             match data.stiffness() {
                 Some(stiffness) => {
                     let force = stiffness.per_bend(data.problem) * contact.multiplier;
-                    text.value("F", &Quantity::fixed(grams(force), 1, "g"), tokens)
+                    text.value("F", &Quantity::significant(grams(force), "g"), tokens)
                 }
                 None => text,
             }
@@ -268,12 +268,8 @@ fn values(surface: &Surface<'_>, stems: &[Stem], factor: f64, tokens: &Tokens) {
     let mut taken: Vec<Rect> = Vec::new();
     for stem in order {
         let head = head(surface, stem, factor);
-        let side = match stem.side {
-            Side::Cable => "cable",
-            Side::Backbone => "backbone",
-        };
         let digits = Quantity::significant(factor * stem.multiplier, "").digits;
-        let text = Text::of(&digits, tokens.text).and(&format!(" {side}"), tokens.muted);
+        let text = Text::of(&digits, tokens.text).and(&format!(" {}", stem.part), tokens.muted);
         let galley = surface.painter.layout_job(text.job());
         let size = galley.size();
         let frame = surface.frame();

@@ -4,12 +4,13 @@
 use super::{Plot, PlotAction, PlotCache, PlotData, export};
 use crate::app::look::{Tokens, colour, icon_button, icons};
 use crate::view::{Quantity, Theme};
-use eframe::egui::text::LayoutJob;
+use eframe::egui::text::{ByteIndex, LayoutJob};
 use eframe::egui::{
-    Align, Align2, Color32, FontFamily, FontId, Layout, Painter, Popup, Pos2, Rangef, Rect,
+    Align, Align2, Color32, FontFamily, FontId, Galley, Layout, Painter, Popup, Pos2, Rangef, Rect,
     Response, RichText, Shape, Stroke, TextFormat, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use egui_plot::{AxisHints, GridInput, GridMark, Line, PlotPoint, PlotTransform};
+use std::sync::Arc;
 
 /// The size of all text on plots.
 pub(super) const SMALL: f32 = 12.0;
@@ -45,6 +46,8 @@ pub(super) fn heat(theme: Theme, share: f64) -> Color32 {
 #[derive(Default)]
 pub(super) struct Text {
     job: LayoutJob,
+    /// Where values end: the sections and bytes up to there.
+    ends: Vec<(usize, usize)>,
 }
 
 impl Text {
@@ -76,14 +79,34 @@ impl Text {
         self.and(&format!("{apart}{name} "), tokens.muted)
             .and(&value.digits, tokens.text)
             .and(&unit, tokens.muted)
+            .ended()
     }
 
-    /// The text cut to a width, with an ellipsis where something is missing.
-    pub fn within(self, width: f32) -> LayoutJob {
-        let mut job = self.job();
-        job.wrap.max_width = width.max(0.0);
-        job.wrap.break_anywhere = true;
-        job
+    /// Notes that a value ends here.
+    pub fn ended(mut self) -> Self {
+        self.ends
+            .push((self.job.sections.len(), self.job.text.len()));
+        self
+    }
+
+    /// As many of the values as a width has room for: a number that is cut is
+    /// another number.
+    pub fn within(mut self, painter: &Painter, width: f32) -> Arc<Galley> {
+        self.job.wrap.max_rows = 1;
+        loop {
+            let galley = painter.layout_job(self.job.clone());
+            if galley.size().x <= width || self.job.is_empty() {
+                return galley;
+            }
+            self.ends.pop();
+            let (sections, bytes) = self.ends.last().copied().unwrap_or_default();
+            self.job.sections.truncate(sections);
+            self.job.text.truncate(bytes);
+            // What follows in the same voice is one section with the last.
+            if let Some(last) = self.job.sections.last_mut() {
+                last.byte_range.end = last.byte_range.end.min(ByteIndex(bytes));
+            }
+        }
     }
 
     pub fn job(mut self) -> LayoutJob {
@@ -124,7 +147,7 @@ pub(super) fn header(
         let ordinate = ui.painter().layout_job(ordinate.job());
         let rect = ui.available_rect_before_wrap();
         let room = rect.width() - ordinate.size().x - 16.0;
-        let reading = ui.painter().layout_job(reading.within(room));
+        let reading = reading.within(ui.painter(), room);
         let y = |height: f32| rect.center().y - 0.5 * height;
         let ink = ui.visuals().text_color();
         let at = pos2(rect.right() - 4.0 - reading.size().x, y(reading.size().y));

@@ -204,12 +204,12 @@ fn middle(ui: &mut Ui, curves: &[Curve], cache: &PlotCache, tokens: &Tokens) {
                 .and(&format!(" {}", rate.digits), tokens.text);
             // x and y have the same unit.
             if index > 0 {
-                rates = rates.and(&format!(" {unit}"), tokens.muted);
+                rates = rates.and(&format!(" {unit}"), tokens.muted).ended();
             }
         }
     }
     let room = rect.width() - name.size().x - 48.0;
-    let rates = ui.painter().layout_job(rates.within(room));
+    let rates = rates.within(ui.painter(), room);
     let y = |height: f32| rect.center().y - 0.5 * height + 1.0;
     let at = pos2(rect.right() - 36.0 - rates.size().x, y(rates.size().y));
     ui.painter().galley(at, rates, tokens.text);
