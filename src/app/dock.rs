@@ -16,6 +16,9 @@ use egui_tiles::{
 };
 use serde::{Deserialize, Serialize};
 
+/// A dock that is lower than this, in points, shows one pane at a time.
+const LOW: f32 = 460.0;
+
 /// Something in the dock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Pane {
@@ -40,6 +43,8 @@ impl Pane {
 /// The dock's panes and what their plots have computed.
 pub struct Dock {
     tree: Tree<Pane>,
+    /// All panes in one group, for where there is no room for more.
+    stack: Tree<Pane>,
     cache: PlotCache,
     /// The pulls that lines are fitted on: the paper's, until it is dragged.
     window: Window,
@@ -57,6 +62,7 @@ impl Default for Dock {
     fn default() -> Self {
         Self {
             tree: arranged(&groups()),
+            stack: arranged(&[groups().concat()]),
             cache: PlotCache::default(),
             window: Window {
                 first: 0.0,
@@ -168,7 +174,12 @@ pub fn show(ui: &mut Ui, state: &mut State) {
         link,
         actions: Vec::new(),
     };
-    dock.tree.ui(&mut shown, ui);
+    let tree = if ui.available_height() < LOW {
+        &mut dock.stack
+    } else {
+        &mut dock.tree
+    };
+    tree.ui(&mut shown, ui);
     let Shown { link, actions, .. } = shown;
     dock.window = link.window;
     state.dock = Some(dock);
