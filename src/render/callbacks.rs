@@ -28,7 +28,28 @@ pub fn install(state: &RenderState) {
     let samples = if four { 4 } else { 1 };
     let resources = &mut state.renderer.write().callback_resources;
     resources.insert(FieldPass::new(device, format, FieldOutput::Picture));
-    resources.insert(SolidPass::new(device, format, samples));
+    resources.insert(SolidTarget { format, samples });
+}
+
+/// What [`SolidPass`] is made for, once a view in space is opened: its shaders
+/// take a driver in software a good part of the time that the window has to
+/// open.
+#[derive(Clone, Copy)]
+struct SolidTarget {
+    format: wgpu::TextureFormat,
+    samples: u32,
+}
+
+/// The pass of views in space; `None` without [`install`].
+fn solid_pass<'a>(
+    device: &wgpu::Device,
+    resources: &'a mut CallbackResources,
+) -> Option<&'a mut SolidPass> {
+    if !resources.contains::<SolidPass>() {
+        let SolidTarget { format, samples } = *resources.get()?;
+        resources.insert(SolidPass::new(device, format, samples));
+    }
+    resources.get_mut()
 }
 
 /// The clearance field in a rectangle of the window, as a frame in points shows
@@ -134,7 +155,7 @@ impl CallbackTrait for Solid {
         encoder: &mut wgpu::CommandEncoder,
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
-        if let Some(pass) = resources.get_mut::<SolidPass>() {
+        if let Some(pass) = solid_pass(device, resources) {
             let pixels = self.rect * screen.pixels_per_point;
             let place = [pixels.min.into(), pixels.size().into()];
             let slot = pass.prepare(device, queue, encoder, &self.picture, place);

@@ -22,5 +22,5 @@ pub use drawing::{
 pub use frame::Frame;
 pub use labels::{Placed, place_labels, place_labels_beside};
 pub use path::{Clipped, Outline, Path, Piece, circle, clip_half_plane, hatching, outline};
-pub use quantity::{Quantity, one_two_five};
+pub use quantity::{Quantity, one_two_five, superscript};
 pub use theme::{Arrowhead, Colour, Palette, Style, Theme};

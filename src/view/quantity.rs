@@ -86,7 +86,8 @@ fn order(value: f64) -> String {
     )
 }
 
-fn superscript(exponent: i32) -> String {
+/// An exponent in raised digits.
+pub fn superscript(exponent: i32) -> String {
     let raised = |c| match c {
         '-' => '⁻',
         '1' => '¹',

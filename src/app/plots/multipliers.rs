@@ -11,7 +11,7 @@ use crate::equilibrium::Class;
 use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::forces::part_name;
 use crate::units::{grams, millimetres, per_millimetre};
-use crate::view::{Quantity, Theme};
+use crate::view::{Quantity, Theme, superscript};
 use eframe::egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
 
 /// How near the pointer has to be to a stem.
@@ -29,24 +29,8 @@ fn scale(greatest: f64) -> (f64, String) {
     if power == 0 {
         return (1.0, "rad²/mm".to_owned());
     }
-    let raised: String = power.to_string().chars().map(superscript).collect();
-    (10f64.powi(-power), format!("10{raised} rad²/mm"))
-}
-
-fn superscript(digit: char) -> char {
-    match digit {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        '4' => '⁴',
-        '5' => '⁵',
-        '6' => '⁶',
-        '7' => '⁷',
-        '8' => '⁸',
-        '9' => '⁹',
-        _ => '⁰',
-    }
+    let unit = format!("10{} rad²/mm", superscript(power));
+    (10f64.powi(-power), unit)
 }
 
 /// The least of 1, 1.5, 2, 3, 5 and 8 times a power of ten that a value fits under,
