@@ -7,12 +7,13 @@
 
 mod window_harness;
 
-use eframe::egui::{Key, Rect, Theme, pos2};
+use eframe::egui::{Event, Key, Modifiers, Rect, Theme, pos2};
 use egui_kittest::SnapshotOptions;
 use egui_kittest::kittest::Queryable;
 use sinew::app::Views;
 use sinew::equilibrium::Status;
 use sinew::scene::Scene;
+use sinew::units::grams;
 use window_harness::Window;
 
 const SIZE: [f32; 2] = [1200.0, 750.0];
@@ -107,4 +108,58 @@ fn a_phone_shows_the_canvas_and_the_slider() {
             .query_by_label_contains("Add an obstacle")
             .is_none()
     );
+}
+
+#[test]
+fn a_load_can_be_set_in_the_place_of_the_pull() {
+    let mut window = Window::sized(SIZE, Theme::Light, None);
+    window.harness.get_by_label("Pull slider");
+    window.harness.get_by_label("Set the load").click();
+    window.harness.run();
+    window.harness.get_by_label("Load slider");
+    window.harness.get_by_label("Load").click();
+    window.harness.run();
+    window.key_with(Modifiers::COMMAND, Key::A);
+    window.harness.event(Event::Text("300".to_owned()));
+    window.key(Key::Enter);
+    let load = |window: &Window| {
+        let state = window.state();
+        let newtons = state.document.newtons_per_multiplier().unwrap();
+        let slope = state.live.solution().unwrap().certificate.energy_slope;
+        grams(newtons * slope)
+    };
+    assert!(window.state().live.is_settled());
+    assert!((load(&window) - 300.0).abs() < 0.1, "{}", load(&window));
+
+    // Without a stiffness there are no loads, and the pull is set again.
+    let robot = &mut window.harness.state_mut().state_mut().document.scene.robot;
+    robot.bending_stiffness_nmm2 = None;
+    window.harness.run();
+    window.harness.get_by_label("Pull slider");
+}
+
+#[test]
+fn a_jump_is_told_and_the_way_back_shows_another_branch() {
+    let slip = example(include_str!("../assets/scenes/slip-off.toml"));
+    let mut window = Window::sized(SIZE, Theme::Light, slip);
+    let pull = |window: &mut Window, pull_mm: f64| {
+        let state = window.harness.state_mut().state_mut();
+        state.document.scene.actuation.pull_mm = pull_mm;
+        window.harness.run_steps(8);
+    };
+    let elsewhere = |window: &Window| {
+        let banner = window.harness.query_by_label("Another branch");
+        banner.is_some()
+    };
+    assert!(!elsewhere(&window));
+    pull(&mut window, 7.5);
+    assert!(window.is_told("robot jumps"));
+    assert!(!elsewhere(&window));
+    window.shoot("jump");
+    pull(&mut window, 6.5);
+    assert!(elsewhere(&window));
+    window.shoot("another-branch");
+    window.harness.get_by_label("Start from straight").click();
+    window.harness.run();
+    assert!(!elsewhere(&window));
 }

@@ -29,6 +29,7 @@ impl Hints {
         tokens: &Tokens,
     ) {
         let mark = (icons::HAND_POINTING, tokens.accent);
+        let mut taken = Rect::NOTHING;
         if !self.obstacle
             && let Some(obstacle) = live.problem().obstacles().first()
         {
@@ -37,7 +38,7 @@ impl Hints {
                 // Clear of the contact, which the robot has on its left, and
                 // of the name in the middle.
                 let at = middle + vec2(14.0, 12.0);
-                chip::marked(painter, within, at, mark, "Drag me", tokens);
+                taken = chip::marked(painter, within, at, mark, "Drag me", tokens);
             }
         }
         let solution = live.solution();
@@ -45,8 +46,10 @@ impl Hints {
             && let Some(tip) = solution.and_then(|solution| solution.nodes.last())
         {
             let at = to_screen(frame, tip.position);
-            if within.contains(at) {
-                let at = at + vec2(16.0, -34.0);
+            let at = at + vec2(16.0, -34.0);
+            // One after the other where they would lie over each other.
+            let room = Rect::from_min_size(at, vec2(160.0, 28.0));
+            if within.contains(at) && !taken.intersects(room) {
                 chip::marked(painter, within, at, mark, "Drag the tip to pull", tokens);
             }
         }

@@ -245,6 +245,8 @@ fn names(ui: &Ui, surface: &Surface<'_>, data: &PlotData<'_>, cache: &PlotCache)
         {
             at.y = other.bottom() + 18.0;
         }
+        // Clear of the way to what is missing, in the lower corner.
+        at.y = at.y.min(surface.frame().bottom() - 34.0);
         surface.name(at, Align2::RIGHT_BOTTOM, text);
     }
     // Which obstacle takes how much, where there are several.
