@@ -509,3 +509,31 @@ fn pictures() {
         .save(folder.join("obstacles.png"))
         .unwrap();
 }
+
+#[test]
+fn the_obstacles_table_is_edited_in_place() {
+    let mut table = table(tables::obstacles, Selection::Nothing);
+    let mut write = |label: &str, text: &str| {
+        table.get_by_label(label).click();
+        table.run();
+        table.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        table.event(Event::Text(text.to_owned()));
+        table.key_press(Key::Enter);
+        table.run();
+        let scene = &table.state().document.scene;
+        (scene.obstacles[1].shape.clone(), table.state().selection)
+    };
+    let disc = |center_mm, radius_mm| Shape::Disc {
+        center_mm,
+        radius_mm,
+    };
+    let selected = Selection::Obstacle(1);
+    let (shape, selection) = write("x of upper", "61.5");
+    assert_eq!((shape, selection), (disc([61.5, 140.0], 15.0), selected));
+    let (shape, _) = write("y of upper", "14 cm");
+    assert_eq!(shape, disc([61.5, 140.0], 15.0));
+    let (shape, _) = write("Radius of upper", "12");
+    assert_eq!(shape, disc([61.5, 140.0], 12.0));
+    let (shape, _) = write("Radius of upper", "-3");
+    assert_eq!(shape, disc([61.5, 140.0], 12.0));
+}

@@ -1,16 +1,20 @@
 //! Tables of what touches and of what stands around, for the dock. A row
 //! lights up with its twin on the canvas; clicking it selects the obstacle.
 
+use super::inspector::{Number, with_form};
 use super::row::{self, Standing};
 use crate::app::look::{Tokens, colour, theme_of};
 use crate::app::state::{Hovered, Selection, State};
 use crate::app::words;
 use crate::equilibrium::Class;
 use crate::forces::{Statics, part_name};
+use crate::scene::limits::{COORDINATE, Limits, RADIUS};
 use crate::scene::{Obstacle, Shape};
 use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::Quantity;
-use eframe::egui::{Align, CornerRadius, Id, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
+use eframe::egui::{
+    Align, CornerRadius, Id, Rect, RichText, ScrollArea, Sense, Ui, UiBuilder, pos2, vec2,
+};
 
 /// Space before and after a row's contents, in points.
 const MARGIN: f32 = 8.0;
@@ -215,7 +219,7 @@ pub fn obstacles(ui: &mut Ui, state: &mut State) {
         column("Shape", 64.0, 0.0, Align::Min),
         column("x, mm", 72.0, 0.0, Align::Max),
         column("y, mm", 72.0, 0.0, Align::Max),
-        column("Size, mm", 128.0, 0.0, Align::Max),
+        column("Size or radius, mm", 128.0, 0.0, Align::Max),
         column("Contact", 64.0, 0.0, Align::Min),
     ];
     table(ui, "obstacles", &columns, count, |ui, places, index| {
@@ -235,13 +239,13 @@ fn obstacle(ui: &mut Ui, state: &mut State, places: &Columns, index: usize) {
     };
     let response = row::row(ui, Id::unique(("obstacle row", index)), &name, standing);
     let rect = response.rect;
-    let millimetres = |value: f64| Quantity::fixed(value, 2, "").digits;
-    let [x, y] = found.shape.anchor_mm();
-    places.text(ui, rect, 0, name);
+    places.text(ui, rect, 0, &name);
     places.text(ui, rect, 1, words::shape(&found.shape));
-    places.text(ui, rect, 2, millimetres(x));
-    places.text(ui, rect, 3, millimetres(y));
-    places.text(ui, rect, 4, size(found));
+    if !matches!(found.shape, Shape::Disc { .. }) {
+        places.text(ui, rect, 4, size(found));
+    }
+    let cells = [2, 3, 4].map(|column| places.cell(rect, column));
+    let edited = numbers(ui, state, cells, index, &name);
     let contacts = state.live.solution().map_or(&[][..], |it| &it.contacts);
     let mut on = contacts.iter().filter(|it| it.obstacle == index).peekable();
     let touches = on.peek().is_some();
@@ -254,16 +258,64 @@ fn obstacle(ui: &mut Ui, state: &mut State, places: &Columns, index: usize) {
     if response.hovered() {
         state.hovering = Hovered::Obstacle(index);
     }
-    if response.clicked() {
+    if response.clicked() || edited {
+        // What is wrong with a number is told in the inspector.
         state.selection = this;
     }
+}
+
+/// The fields of an obstacle's place and of a disc's radius. Whether one of
+/// them is in use.
+fn numbers(
+    ui: &mut Ui,
+    state: &mut State,
+    [x, y, size]: [Rect; 3],
+    index: usize,
+    name: &str,
+) -> bool {
+    let mut used = false;
+    with_form(state, |scene, form| {
+        let Some(obstacle) = scene.obstacles.get_mut(index) else {
+            return;
+        };
+        let shape = &mut obstacle.shape;
+        let mut field = |cell: Rect, key: &str, called: &str, limits: Limits, value: &mut f64| {
+            let number = Number {
+                place: "table",
+                ..Number::length(format!("obstacle[{index}].{key}"), called, limits)
+            };
+            let mut ui = ui.new_child(UiBuilder::new().max_rect(cell));
+            let name = format!("{called} of {name}");
+            form.value(&mut ui, &number, value, cell.width(), |field| {
+                used |= field.has_focus() || field.dragged();
+                field.accessible_name(&name)
+            })
+        };
+        let key = match shape {
+            Shape::Wall { .. } => "point_mm",
+            Shape::Polygon { .. } => "points_mm",
+            _ => "center_mm",
+        };
+        let mut at = shape.anchor_mm();
+        let moved = [
+            field(x, &format!("{key}[0]"), "x", COORDINATE, &mut at[0]),
+            field(y, &format!("{key}[1]"), "y", COORDINATE, &mut at[1]),
+        ];
+        if moved.contains(&true) {
+            shape.move_to_mm(at);
+        }
+        if let Shape::Disc { radius_mm, .. } = shape {
+            field(size, "radius_mm", "Radius", RADIUS, radius_mm);
+        }
+    });
+    used
 }
 
 /// An obstacle's size, in mm.
 fn size(obstacle: &Obstacle) -> String {
     let mm = |value: f64| Quantity::fixed(value, 2, "").digits;
     match &obstacle.shape {
-        Shape::Disc { radius_mm, .. } => format!("radius {}", mm(*radius_mm)),
+        Shape::Disc { radius_mm, .. } => mm(*radius_mm),
         Shape::Wall { .. } => "without end".to_owned(),
         Shape::Box { size_mm, .. } => format!("{} × {}", mm(size_mm[0]), mm(size_mm[1])),
         Shape::Capsule {

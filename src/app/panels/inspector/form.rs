@@ -33,6 +33,8 @@ pub struct Complaint {
 pub struct Number<'a> {
     /// The field's path in scene files, such as `obstacle[0].radius_mm`.
     pub path: String,
+    /// What it is part of: a number may have a field in more than one place.
+    pub place: &'a str,
     /// What it is called, such as `Radius`.
     pub name: &'a str,
     /// The paper's symbol for it; empty where it has none.
@@ -52,6 +54,7 @@ impl<'a> Number<'a> {
     pub fn length(path: impl Into<String>, name: &'a str, limits: Limits) -> Self {
         Self {
             path: path.into(),
+            place: "inspector",
             name,
             symbol: "",
             kind: Kind::Length,
@@ -206,7 +209,7 @@ impl<'a> Form<'a> {
         let before = *value;
         let read: RefCell<Option<Result<(), String>>> = RefCell::new(None);
         let builder = UiBuilder::new()
-            .scope_id(Id::unique((&number.path, "value")))
+            .scope_id(Id::unique((&number.path, number.place, "value")))
             .layout(Layout::top_down_justified(Align::Max));
         let size = vec2(width, HEIGHT);
         let (_, rect) = ui.allocate_space(size);
