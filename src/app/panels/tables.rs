@@ -244,7 +244,7 @@ fn obstacle(ui: &mut Ui, state: &mut State, places: &Columns, index: usize) {
     if !matches!(found.shape, Shape::Disc { .. }) {
         places.text(ui, rect, 4, size(found));
     }
-    let cells = [2, 3, 4].map(|column| places.cell(rect, column));
+    let cells = [2, 3, 4].map(|column| places.cell(rect, column).shrink2(vec2(0.0, 2.0)));
     let edited = numbers(ui, state, cells, index, &name);
     let contacts = state.live.solution().map_or(&[][..], |it| &it.contacts);
     let mut on = contacts.iter().filter(|it| it.obstacle == index).peekable();
@@ -286,7 +286,7 @@ fn numbers(
             };
             let mut ui = ui.new_child(UiBuilder::new().max_rect(cell));
             let name = format!("{called} of {name}");
-            form.value(&mut ui, &number, value, cell.width(), |field| {
+            form.value(&mut ui, &number, value, cell.size(), |field| {
                 used |= field.has_focus() || field.dragged();
                 field.accessible_name(&name)
             })

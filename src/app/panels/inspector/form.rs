@@ -9,7 +9,7 @@ use crate::scene::limits::{Limits, shown};
 use crate::view::Quantity;
 use eframe::egui::{
     self, Align, Align2, Color32, DragValue, Id, Layout, Response, RichText, Stroke, TextEdit, Ui,
-    UiBuilder, vec2,
+    UiBuilder, Vec2, vec2,
 };
 use std::cell::RefCell;
 
@@ -185,10 +185,9 @@ impl<'a> Form<'a> {
                     let room = if sign.len() > 2 { 2.0 * UNIT } else { UNIT };
                     let (_, rect) = ui.allocate_space(vec2(room, HEIGHT));
                     unit(ui, rect, sign);
-                    let width = NUMBER + UNIT - room;
-                    changed = self.value(ui, number, value, width, |field| {
-                        field.labelled_by(label.id)
-                    });
+                    let size = vec2(NUMBER + UNIT - room, HEIGHT);
+                    changed =
+                        self.value(ui, number, value, size, |field| field.labelled_by(label.id));
                     extra(ui);
                 });
             });
@@ -203,7 +202,7 @@ impl<'a> Form<'a> {
         ui: &mut Ui,
         number: &Number<'_>,
         value: &mut f64,
-        width: f32,
+        size: Vec2,
         named: impl FnOnce(Response) -> Response,
     ) -> bool {
         let before = *value;
@@ -211,10 +210,10 @@ impl<'a> Form<'a> {
         let builder = UiBuilder::new()
             .scope_id(Id::unique((&number.path, number.place, "value")))
             .layout(Layout::top_down_justified(Align::Max));
-        let size = vec2(width, HEIGHT);
         let (_, rect) = ui.allocate_space(size);
         let complained = self.complains_of(&number.path);
         let inner = ui.scope_builder(builder.max_rect(rect), |ui| {
+            ui.spacing_mut().interact_size.y = size.y;
             if complained {
                 let stroke = Stroke::new(1.0, Tokens::in_ui(ui).error);
                 let widgets = &mut ui.visuals_mut().widgets;

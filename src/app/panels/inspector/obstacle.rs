@@ -11,7 +11,7 @@ use crate::scene::limits::{ANGLE, COORDINATE, CORNER_RADIUS, RADIUS, SIDE};
 use crate::scene::{Scene, Shape};
 use crate::units::{grams, per_millimetre};
 use crate::view::Quantity;
-use eframe::egui::{Align, Layout, RichText, ScrollArea, Ui};
+use eframe::egui::{Align, Layout, RichText, ScrollArea, Ui, vec2};
 
 /// Room for a polygon's points before they scroll, in rows.
 const ROWS: f32 = 6.0;
@@ -181,7 +181,7 @@ fn polygon(ui: &mut Ui, form: &mut Form<'_>, at: &str, shape: &mut Shape) {
                             let name = format!("Vertex {row} {letter}");
                             let number = Number::length(path, &name, COORDINATE);
                             let value = &mut points_mm[row][axis];
-                            form.value(ui, &number, value, width, |field| {
+                            form.value(ui, &number, value, vec2(width, HEIGHT), |field| {
                                 field.accessible_name(name.as_str())
                             });
                         }
