@@ -193,6 +193,9 @@ impl eframe::App for Sinew {
 fn suit(ctx: &Context, preferences: &Preferences) {
     ctx.set_theme(preferences.theme);
     ctx.set_zoom_factor(preferences.zoom);
+    if ctx.input(|input| input.has_touch_screen()) {
+        look::fit_fingers(ctx);
+    }
     let seconds = if preferences.still {
         0.0
     } else {

@@ -10,6 +10,7 @@ mod options;
 use super::backend::{Arrived, Inline, SLICE, SolverBackend, Worker};
 use super::files::autosave::{Stored, has_preferences};
 use super::files::{Arrival, Intent, faults_of, request, sentence};
+use super::look::fit_fingers;
 use super::notices::Notice;
 use super::platform::Web;
 use super::{Sinew, link};
@@ -33,6 +34,8 @@ extern "C" {
     fn is_embedded() -> bool;
     /// Whether nothing is to move by itself.
     fn wants_stillness() -> bool;
+    /// Whether it is pointed at with fingers.
+    fn has_fingers() -> bool;
     /// What the page is called.
     fn title(text: &str);
     /// The window has its first frame.
@@ -104,6 +107,9 @@ impl Page {
         let window = Sinew::new(ctx, scene, backend, preferences.clone());
         let window = window.map_err(|faults| faults_of(&faults).join(" "))?;
         let mut window = window.on(Box::new(Web::new(ctx)), stored);
+        if has_fingers() {
+            fit_fingers(ctx);
+        }
         if let Some(why) = broken {
             window.state_mut().notices.tell(Notice::trouble(why));
         }

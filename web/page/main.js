@@ -25,6 +25,7 @@ globalThis.sinew_page = {
   wants_webgl: () => query.get('renderer') === 'webgl',
   is_embedded: () => embedded,
   wants_stillness: () => matchMedia('(prefers-reduced-motion: reduce)').matches,
+  has_fingers: () => matchMedia('(pointer: coarse)').matches,
   ready,
   crashed,
   pick,

@@ -142,7 +142,7 @@ pub fn add(state: &mut State, tool: Tool, at: Vector, frame: &Frame) {
 fn item(ui: &mut Ui, glyph: &str, title: &str, enabled: bool) -> bool {
     let button = Button::new((icon(glyph), title))
         .frame_when_inactive(false)
-        .min_size(vec2(ui.available_width(), 28.0));
+        .min_size(vec2(ui.available_width(), ui.spacing().interact_size.y));
     let response = ui.add_enabled(enabled, button);
     response.accessible_name(title).clicked()
 }
@@ -151,7 +151,7 @@ fn command(ui: &mut Ui, state: &mut State, command: Command) {
     let entry = command.entry();
     let mut button = Button::new((icon(entry.icon), entry.title))
         .frame_when_inactive(false)
-        .min_size(vec2(ui.available_width(), 28.0));
+        .min_size(vec2(ui.available_width(), ui.spacing().interact_size.y));
     if let Some(keys) = &entry.shortcut {
         button = button.shortcut_text(ui.ctx().format_shortcut(keys));
     }

@@ -12,7 +12,9 @@ pub use fonts::fonts_for_svg;
 pub use fonts::{icon_font, semibold};
 pub use scale::contact_scale;
 pub use segments::{Segment, segments};
-pub use style::{MOTION_SECONDS, Tokens, colour, icon, icon_button, theme_of};
+pub use style::{
+    MOTION_SECONDS, Tokens, colour, fit_fingers, fits_fingers, icon, icon_button, theme_of,
+};
 
 use eframe::egui;
 

@@ -2,7 +2,7 @@
 
 use super::{Tokens, semibold};
 use eframe::egui::{
-    Button, Color32, FontId, Rect, RichText, Role, Sense, Ui, UiBuilder, Vec2, WidgetInfo, vec2,
+    Button, Color32, FontId, Rect, RichText, Role, Sense, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
 /// A name to choose.
@@ -17,14 +17,15 @@ pub struct Segment<'a> {
     pub enabled: bool,
 }
 
-/// Shows segments of one size; which of them was clicked.
+/// Shows segments of one width, in points; which of them was clicked.
 pub fn segments(
     ui: &mut Ui,
-    size: Vec2,
+    width: f32,
     shown: &[Segment<'_>],
     current: Option<usize>,
 ) -> Option<usize> {
     let tokens = Tokens::in_ui(ui);
+    let size = vec2(width, ui.spacing().interact_size.y - 4.0);
     let all = vec2(size.x * shown.len() as f32 + 4.0, size.y + 4.0);
     let (rect, _) = ui.allocate_exact_size(all, Sense::hover());
     ui.painter().rect_filled(rect, 7.0, tokens.sunken);

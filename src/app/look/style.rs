@@ -11,6 +11,11 @@ use eframe::egui::{
 /// What the program moves, it moves in this time.
 pub const MOTION_SECONDS: f32 = 0.14;
 
+/// The least height of what can be clicked, in points …
+const FOR_POINTERS: f32 = 28.0;
+/// … and of what can be touched.
+const FOR_FINGERS: f32 = 32.0;
+
 /// The colours of panels and controls; the picture's are in
 /// [`crate::view::Palette`], from which these are derived where they are the
 /// same thing.
@@ -123,6 +128,19 @@ pub fn icon_button(ui: &mut Ui, glyph: &str, name: &str) -> Response {
     response
 }
 
+/// Makes controls large enough for fingers; for good, since where there was a
+/// finger there will be more.
+pub fn fit_fingers(ctx: &Context) {
+    if ctx.global_style().spacing.interact_size.y < FOR_FINGERS {
+        ctx.all_styles_mut(|style| style.spacing.interact_size.y = FOR_FINGERS);
+    }
+}
+
+/// Whether controls are large enough for fingers.
+pub fn fits_fingers(ui: &Ui) -> bool {
+    ui.spacing().interact_size.y >= FOR_FINGERS
+}
+
 pub(super) fn install(ctx: &Context) {
     for (theme, of) in [
         (egui::Theme::Light, Theme::Light),
@@ -156,7 +174,7 @@ fn shape(style: &mut Style, tokens: &Tokens, theme: Theme) {
     let spacing = &mut style.spacing;
     spacing.item_spacing = Vec2::new(8.0, 4.0);
     spacing.button_padding = Vec2::new(8.0, 4.0);
-    spacing.interact_size = Vec2::new(32.0, 28.0);
+    spacing.interact_size = Vec2::new(32.0, FOR_POINTERS);
     spacing.menu_margin = Margin::same(8);
     spacing.window_margin = Margin::same(16);
     spacing.indent = 16.0;

@@ -112,10 +112,13 @@ fn views(ui: &mut Ui, state: &mut State, phone: bool) {
         enabled: true,
     });
     // A phone has no room for both.
-    let shown = if phone { &shown[..2] } else { &shown };
+    let (shown, width) = match phone {
+        true => (&shown[..2], 40.0),
+        false => (&shown[..], 46.0),
+    };
     let current = state.preferences.views;
     let current = views.iter().position(|(view, ..)| *view == current);
-    if let Some(chosen) = segments(ui, vec2(46.0, 24.0), shown, current) {
+    if let Some(chosen) = segments(ui, width, shown, current) {
         state.commands.push(views[chosen].2);
     }
 }
@@ -132,7 +135,7 @@ fn search(ui: &mut Ui, state: &mut State) {
     let button = Button::new((icon(entry.icon).color(tokens.muted), text))
         .shortcut_text(RichText::new(keys).small().color(tokens.muted))
         .fill(tokens.sunken)
-        .min_size(vec2(176.0, 28.0));
+        .min_size(vec2(176.0, ui.spacing().interact_size.y));
     let response = ui.add(button).on_hover_text(entry.title);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, entry.title));
     if response.clicked() {

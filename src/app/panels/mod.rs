@@ -21,7 +21,7 @@ pub use settings::settings_id;
 use super::dock;
 use super::look::{Segment, Tokens, icon_button, icons, segments};
 use super::state::{Selection, State};
-use eframe::egui::{Align, Context, Frame, Layout, Margin, Panel, Ui, vec2};
+use eframe::egui::{Align, Context, Frame, Layout, Margin, Panel, Ui};
 
 /// Windows that are narrower than this, in points, have no room for the
 /// outline.
@@ -114,7 +114,7 @@ fn below(ui: &mut Ui, state: &mut State, side: Side, width: f32) {
             });
             let shown: Vec<_> = shown.collect();
             let current = sides.iter().position(|it| it.0 == side);
-            if let Some(chosen) = segments(ui, vec2(72.0, 28.0), &shown, current) {
+            if let Some(chosen) = segments(ui, 72.0, &shown, current) {
                 state.panels.below = Some(sides[chosen].0);
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

@@ -8,8 +8,6 @@ use eframe::egui::{
     Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
-/// Height of rows, in points.
-pub const HEIGHT: f32 = 28.0;
 /// Room for the units beside values of a summary, in points.
 const UNIT: f32 = 52.0;
 
@@ -22,9 +20,14 @@ pub struct Standing {
     pub lit: bool,
 }
 
+/// Height of rows, in points.
+pub fn height(ui: &Ui) -> f32 {
+    ui.spacing().interact_size.y
+}
+
 /// A row across the width there is, to be filled by the caller.
 pub fn row(ui: &mut Ui, id: Id, name: &str, standing: Standing) -> Response {
-    let size = vec2(ui.available_width(), HEIGHT);
+    let size = vec2(ui.available_width(), height(ui));
     let (_, rect) = ui.allocate_space(size);
     let response = ui.interact(rect, id, Sense::click());
     response.widget_info(|| {

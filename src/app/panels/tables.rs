@@ -106,10 +106,11 @@ fn table(
             ui.set_width(places.width);
             ui.spacing_mut().item_spacing.y = 0.0;
             places.heads(ui, columns);
+            let height = row::height(ui);
             ScrollArea::vertical()
                 .id_salt((id, "down"))
                 .auto_shrink([false, false])
-                .show_rows(ui, row::HEIGHT, rows, |ui, range| {
+                .show_rows(ui, height, rows, |ui, range| {
                     for index in range {
                         row(ui, &places, index);
                     }

@@ -2,7 +2,7 @@
 //! where the robot jumps and where its branch ends.
 
 use crate::app::load::Loads;
-use crate::app::look::{Tokens, icon_font, icons};
+use crate::app::look::{Tokens, fits_fingers, icon_font, icons};
 use crate::app::state::{Hovered, State};
 use crate::app::words;
 use crate::equilibrium::{Event, Occurrence};
@@ -12,14 +12,17 @@ use eframe::egui::{
     pos2, vec2,
 };
 
-/// Height of the slider, of which its handle takes four fifths.
+/// Height of the slider, of which its handle takes four fifths; for fingers it
+/// is as high as all else.
 const HEIGHT: f32 = 20.0;
 
 /// Shows the slider in the width that is left: of the pull or, where `loads`
 /// are given, of the load.
 pub fn show(ui: &mut Ui, state: &mut State, loads: Option<&Loads>) {
     ui.spacing_mut().slider_width = (ui.available_width() - 4.0).max(80.0);
-    ui.spacing_mut().interact_size.y = HEIGHT;
+    if !fits_fingers(ui) {
+        ui.spacing_mut().interact_size.y = HEIGHT;
+    }
     let (span, response) = match loads {
         Some(loads) => load_slider(ui, state, loads),
         None => pull_slider(ui, state),

@@ -9,13 +9,13 @@ use crate::app::look::{Segment, icon_button, icons, segments};
 use crate::app::state::State;
 use crate::app::transport::Transport;
 use crate::view::Quantity;
-use eframe::egui::{Align, ComboBox, DragValue, Layout, Ui, Vec2, vec2};
+use eframe::egui::{Align, ComboBox, DragValue, Layout, Ui, vec2};
 
 /// Below this width, in points, the slider has a row of its own, and what can be
 /// done without is left out.
 const NARROW: f32 = 640.0;
-/// Size of the field of what is set, in points.
-const FIELD: Vec2 = vec2(84.0, 28.0);
+/// Width of the field of what is set, in points.
+const FIELD: f32 = 84.0;
 
 /// Shows the transport bar with the status chip at its right end.
 pub fn show(ui: &mut Ui, state: &mut State) {
@@ -125,7 +125,7 @@ fn actuation(ui: &mut Ui, state: &mut State) -> Option<Loads> {
         },
     ];
     let current = usize::from(loads.is_some());
-    let chosen = segments(ui, vec2(44.0, 24.0), &shown, Some(current));
+    let chosen = segments(ui, 44.0, &shown, Some(current));
     if chosen.is_some_and(|chosen| chosen != current) {
         state.commands.push(Command::Load);
     }
@@ -145,7 +145,8 @@ fn pull(ui: &mut Ui, state: &mut State) {
         .range(range.0..=range.1)
         .fixed_decimals(2)
         .suffix(" mm");
-    ui.add_sized(FIELD, field)
+    let size = vec2(FIELD, ui.spacing().interact_size.y);
+    ui.add_sized(size, field)
         .accessible_name("Pull")
         .on_hover_text("Length of cable drawn in. Drag sideways or click to type.");
 }
@@ -160,8 +161,9 @@ fn load(ui: &mut Ui, state: &mut State, loads: &Loads) {
         .clamp_existing_to_range(false)
         .fixed_decimals(1)
         .suffix(" g");
+    let size = vec2(FIELD, ui.spacing().interact_size.y);
     let response = ui
-        .add_sized(FIELD, field)
+        .add_sized(size, field)
         .accessible_name("Load")
         .on_hover_text(
             "Load on the cable, 0 for the straight robot. Drag sideways or click to type.",

@@ -2,7 +2,7 @@
 //! built: `web/build` calls it.
 //!
 //! ```text
-//! bundle PAGE.wasm WORKER.wasm WASM-OPT SCRATCH OUT
+//! bundle PAGE.wasm WORKER.wasm FILES WASM-OPT SCRATCH OUT
 //! ```
 //!
 //! Fails where what a browser downloads has become too large.
@@ -18,8 +18,8 @@ use std::path::PathBuf;
 
 fn main() -> Result<()> {
     let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
-    let [page, worker, wasm_opt, scratch, out] = arguments.as_slice() else {
-        bail!("bundle PAGE.wasm WORKER.wasm WASM-OPT SCRATCH OUT");
+    let [page, worker, source, wasm_opt, scratch, out] = arguments.as_slice() else {
+        bail!("bundle PAGE.wasm WORKER.wasm FILES WASM-OPT SCRATCH OUT");
     };
     std::fs::create_dir_all(scratch)?;
     let mut app = Vec::new();
@@ -31,8 +31,7 @@ fn main() -> Result<()> {
         app.extend(pieces.map(|(path, script)| (path, script.into_bytes())));
         app.push((format!("{}_bg.wasm", glued.name), small));
     }
-    let source = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../page");
-    let site = site::Site::of(app, &source)?;
+    let site = site::Site::of(app, source)?;
     site.write(out)?;
     sizes::report(&site)
 }

@@ -2,6 +2,7 @@
 //! and under it whatever was wrong with what was typed.
 
 use crate::app::look::{Tokens, icon, icons};
+use crate::app::panels::row;
 use crate::app::panels::typed::Kind;
 use crate::app::words;
 use crate::scene::SceneError;
@@ -13,8 +14,6 @@ use eframe::egui::{
 };
 use std::cell::RefCell;
 
-/// Height of a field, in points.
-pub const HEIGHT: f32 = 28.0;
 /// Room for units beside fields, in points.
 const UNIT: f32 = 20.0;
 /// Width of number fields, in points.
@@ -183,9 +182,9 @@ impl<'a> Form<'a> {
                     // Where the unit is long, at the field's expense.
                     let sign = number.unit();
                     let room = if sign.len() > 2 { 2.0 * UNIT } else { UNIT };
-                    let (_, rect) = ui.allocate_space(vec2(room, HEIGHT));
+                    let (_, rect) = ui.allocate_space(vec2(room, row::height(ui)));
                     unit(ui, rect, sign);
-                    let size = vec2(NUMBER + UNIT - room, HEIGHT);
+                    let size = vec2(NUMBER + UNIT - room, row::height(ui));
                     changed =
                         self.value(ui, number, value, size, |field| field.labelled_by(label.id));
                     extra(ui);
@@ -315,7 +314,7 @@ impl<'a> Form<'a> {
                 let label = name(ui, called, "");
                 beside(ui, |ui| {
                     let mut text = value.clone().unwrap_or_default();
-                    let size = vec2(ui.available_width(), HEIGHT);
+                    let size = vec2(ui.available_width(), row::height(ui));
                     let field = TextEdit::singleline(&mut text)
                         .id(Id::unique((path, "text")))
                         .align(Align2::LEFT_CENTER)
@@ -346,7 +345,7 @@ impl<'a> Form<'a> {
                 let label = name(ui, called, "");
                 beside(ui, |ui| {
                     ui.spacing_mut().item_spacing.x = 4.0;
-                    ui.allocate_space(vec2(UNIT, HEIGHT));
+                    ui.allocate_space(vec2(UNIT, row::height(ui)));
                     let current = choices.iter().find(|(choice, _)| *choice == *value);
                     let current = current.map_or("", |(_, word)| word.as_str());
                     let combo = egui::ComboBox::from_id_salt("choice")
@@ -409,7 +408,7 @@ fn stable(ui: &mut Ui, path: &str, add: impl FnOnce(&mut Ui)) {
 
 /// The name before a field, with the paper's symbol.
 fn name(ui: &mut Ui, name: &str, symbol: &str) -> Response {
-    ui.set_min_height(HEIGHT);
+    ui.set_min_height(row::height(ui));
     let muted = Tokens::in_ui(ui).muted;
     let label = ui.label(RichText::new(name).color(muted));
     if !symbol.is_empty() {

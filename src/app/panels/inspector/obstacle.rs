@@ -1,6 +1,6 @@
 //! An obstacle's fields, by its shape.
 
-use super::form::{Form, HEIGHT, Number};
+use super::form::{Form, Number};
 use super::with_form;
 use crate::app::commands::Command;
 use crate::app::look::{icon, semibold};
@@ -165,12 +165,13 @@ fn polygon(ui: &mut Ui, form: &mut Form<'_>, at: &str, shape: &mut Shape) {
     corner(ui, form, at, "Corner radius", corner_radius_mm);
     ui.add_space(12.0);
     row::heading(ui, "Vertices, in mm");
-    let most = ROWS * (HEIGHT + ui.spacing().item_spacing.y);
+    let height = row::height(ui);
+    let most = ROWS * (height + ui.spacing().item_spacing.y);
     ScrollArea::vertical()
         .id_salt("vertices")
         .max_height(most)
         .auto_shrink([false, true])
-        .show_rows(ui, HEIGHT, points_mm.len(), |ui, rows| {
+        .show_rows(ui, height, points_mm.len(), |ui, rows| {
             for row in rows {
                 ui.horizontal(|ui| {
                     ui.weak(format!("{row}"));
@@ -181,7 +182,7 @@ fn polygon(ui: &mut Ui, form: &mut Form<'_>, at: &str, shape: &mut Shape) {
                             let name = format!("Vertex {row} {letter}");
                             let number = Number::length(path, &name, COORDINATE);
                             let value = &mut points_mm[row][axis];
-                            form.value(ui, &number, value, vec2(width, HEIGHT), |field| {
+                            form.value(ui, &number, value, vec2(width, row::height(ui)), |field| {
                                 field.accessible_name(name.as_str())
                             });
                         }

@@ -115,7 +115,9 @@ fn follow(ui: &mut Ui, follows: &mut bool) {
     } else {
         "Click to put the rim where the cable is"
     };
-    let response = ui.add_sized(Vec2::splat(24.0), button).on_hover_text(tip);
+    let response = ui
+        .add_sized(Vec2::splat(ui.spacing().interact_size.y - 4.0), button)
+        .on_hover_text(tip);
     let on = *follows;
     response.widget_info(|| {
         let name = "Disk radius follows the cable offset";

@@ -37,12 +37,13 @@ pub fn show(ui: &mut Ui, state: &mut State, most: f32) {
         return;
     }
     let shares = shares(state);
+    let height = row::height(ui);
     ScrollArea::vertical()
         .id_salt("obstacles")
-        .max_height((most - 80.0).max(4.0 * row::HEIGHT))
+        .max_height((most - 80.0).max(4.0 * height))
         .auto_shrink([false, true])
-        .show_rows(ui, row::HEIGHT, count, |ui, rows| {
-            let pitch = row::HEIGHT + ui.spacing().item_spacing.y;
+        .show_rows(ui, height, count, |ui, rows| {
+            let pitch = height + ui.spacing().item_spacing.y;
             let top = ui.max_rect().top() - rows.start as f32 * pitch;
             for index in rows {
                 obstacle(ui, state, index, shares.get(index).copied().flatten());
@@ -52,7 +53,7 @@ pub fn show(ui: &mut Ui, state: &mut State, most: f32) {
             {
                 // Chosen elsewhere, or by the keyboard: where is it?
                 let at = egui::pos2(ui.max_rect().left(), top + index as f32 * pitch);
-                let row = Rect::from_min_size(at, vec2(1.0, row::HEIGHT));
+                let row = Rect::from_min_size(at, vec2(1.0, height));
                 ui.scroll_to_rect(row, None);
             }
         });
@@ -283,7 +284,7 @@ fn rename(ui: &mut Ui, state: &mut State, glyph: &str) {
     let Some(mut renaming) = state.panels.renaming.take() else {
         return;
     };
-    let size = vec2(ui.available_width(), row::HEIGHT);
+    let size = vec2(ui.available_width(), row::height(ui));
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
     contents(ui, rect, glyph, "");
     let mut room = rect;
