@@ -48,6 +48,11 @@ impl Document {
         })
     }
 
+    /// What the scene was when it was last opened or saved.
+    pub fn kept(&self) -> &Scene {
+        &self.kept
+    }
+
     /// Takes the scene as it has become or, if it cannot be solved, takes the
     /// last change back.
     pub fn settle(&mut self) -> Settled {

@@ -6,8 +6,10 @@
 mod handle;
 mod kept;
 mod options;
+mod place;
 
 use super::backend::{Arrived, Inline, SLICE, SolverBackend, Worker};
+use super::examples::EXAMPLES;
 use super::files::autosave::{Stored, has_preferences};
 use super::files::{Arrival, Intent, faults_of, request, sentence};
 use super::look::fit_fingers;
@@ -18,6 +20,7 @@ use crate::model::Problem;
 use crate::scene::Scene;
 use eframe::egui::{Context, FullOutput, Plugin, Ui, ViewportCommand};
 use eframe::{CreationContext, WebRunner};
+use place::Place;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
@@ -38,6 +41,9 @@ extern "C" {
     fn has_fingers() -> bool;
     /// What the page is called.
     fn title(text: &str);
+    /// Goes to a fragment of the page's address; the browser's way back leads
+    /// from there.
+    fn visit(fragment: &str);
     /// The window has its first frame.
     fn ready();
     /// The window is over; with the scene file that it had open.
@@ -75,8 +81,8 @@ async fn run(runner: WebRunner) {
 /// The window, and what only a page has.
 struct Page {
     window: Sinew,
-    /// The fragment of the address that was opened last.
-    fragment: String,
+    /// The place in the address.
+    place: Place,
     /// How the solver's worker is, where there is one that goes on.
     arrived: Option<Rc<Arrived>>,
     frames: u64,
@@ -117,8 +123,8 @@ impl Page {
         #[cfg(feature = "web-test")]
         handle::watch(cc);
         Ok(Self {
+            place: Place::new(fragment, &window.state().document),
             window,
-            fragment,
             arrived,
             frames: 0,
         })
@@ -138,19 +144,20 @@ impl Page {
         }
     }
 
-    /// Opens the scene of a link that was put into the address.
+    /// Opens what the address has come to name: by a link that was put into it,
+    /// or by the browser's way back.
     fn follow(&mut self, fragment: &str, ctx: &Context) {
-        if self.fragment == fragment {
+        if !self.place.is_news(fragment) {
             return;
         }
-        fragment.clone_into(&mut self.fragment);
         let state = self.window.state_mut();
         match linked(fragment) {
-            Ok(Some(scene)) => {
+            Ok(scene) => {
+                let scene = scene.map_or_else(|| EXAMPLES[0].scene(), Ok);
+                let Ok(scene) = scene else { return };
                 let arrival = Box::new(Arrival::of(scene));
                 request(state, Intent::Scene(arrival), ctx);
             }
-            Ok(None) => {}
             Err(why) => state.notices.tell(Notice::trouble(why)),
         }
     }
@@ -161,6 +168,9 @@ impl Page {
 fn linked(fragment: &str) -> Result<Option<Scene>, String> {
     if fragment.trim_start_matches('#').is_empty() {
         return Ok(None);
+    }
+    if let Some(example) = place::example(fragment) {
+        return example.map(Some);
     }
     let scene = link::decode(fragment).map_err(|error| sentence(&error.to_string()))?;
     match Problem::parse(&scene) {
@@ -216,7 +226,11 @@ impl eframe::App for Page {
         } else {
             self.window.ui(ui, frame);
         }
-        kept::keep(&self.window.state().document.scene);
+        let document = &self.window.state().document;
+        kept::keep(&document.scene);
+        if let Some(fragment) = self.place.visit(document) {
+            visit(fragment);
+        }
         self.frames += 1;
         if self.frames == 1 {
             ready();

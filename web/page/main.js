@@ -26,6 +26,9 @@ globalThis.sinew_page = {
   is_embedded: () => embedded,
   wants_stillness: () => matchMedia('(prefers-reduced-motion: reduce)').matches,
   has_fingers: () => matchMedia('(pointer: coarse)').matches,
+  visit: (fragment) => {
+    location.hash = fragment;
+  },
   ready,
   crashed,
   pick,

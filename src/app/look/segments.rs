@@ -2,8 +2,11 @@
 
 use super::{Tokens, semibold};
 use eframe::egui::{
-    Button, Color32, FontId, Rect, RichText, Role, Sense, Ui, UiBuilder, WidgetInfo, vec2,
+    Align2, Color32, FontId, Rect, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
+
+/// Distance of the names from the edge of their rail, in points.
+const EDGE: f32 = 2.0;
 
 /// A name to choose.
 pub struct Segment<'a> {
@@ -25,42 +28,62 @@ pub fn segments(
     current: Option<usize>,
 ) -> Option<usize> {
     let tokens = Tokens::in_ui(ui);
-    let size = vec2(width, ui.spacing().interact_size.y - 4.0);
-    let all = vec2(size.x * shown.len() as f32 + 4.0, size.y + 4.0);
-    let (rect, _) = ui.allocate_exact_size(all, Sense::hover());
-    ui.painter().rect_filled(rect, 7.0, tokens.sunken);
-    let mut corner = rect.min + vec2(2.0, 2.0);
+    let size = vec2(width, ui.spacing().interact_size.y);
+    let all = vec2(size.x * shown.len() as f32 + 2.0 * EDGE, size.y);
+    let (rail, _) = ui.allocate_exact_size(all, Sense::hover());
+    ui.painter().rect_filled(rail, 7.0, tokens.sunken);
+    let mut corner = rail.min + vec2(EDGE, 0.0);
     let mut clicked = None;
     for (index, segment) in shown.iter().enumerate() {
-        let chosen = current == Some(index);
-        let (fill, ink, font) = if chosen {
-            (tokens.raised, tokens.text, semibold(12.0))
-        } else {
-            (
-                Color32::TRANSPARENT,
-                tokens.muted,
-                FontId::proportional(12.0),
-            )
-        };
-        let button = Button::new(RichText::new(segment.name).font(font).color(ink))
-            .fill(fill)
-            .corner_radius(5.0);
-        let place = UiBuilder::new().max_rect(Rect::from_min_size(corner, size));
+        // What can be hit is as high as the rail, what is seen is not.
+        let rect = Rect::from_min_size(corner, size);
         corner.x += size.x;
-        let mut cell = ui.new_child(place);
-        if !segment.enabled {
-            cell.disable();
-        }
-        let response = cell.add_sized(size, button);
-        let response = response
-            .on_hover_text(&segment.tip)
-            .on_disabled_hover_text(&segment.tip);
+        let enabled = segment.enabled && ui.is_enabled();
+        let sense = match enabled {
+            true => Sense::click(),
+            false => Sense::hover(),
+        };
+        let id = ui.scope_id().with(segment.title);
+        let response = ui.interact(rect, id, sense).on_hover_text(&segment.tip);
+        let chosen = current == Some(index);
         response.widget_info(|| {
-            WidgetInfo::selected(Role::RadioButton, segment.enabled, chosen, segment.title)
+            WidgetInfo::selected(Role::RadioButton, enabled, chosen, segment.title)
         });
+        paint(ui, &response, segment, chosen, enabled);
         if response.clicked() {
             clicked = Some(index);
         }
     }
     clicked
+}
+
+fn paint(ui: &Ui, response: &Response, segment: &Segment<'_>, chosen: bool, enabled: bool) {
+    let tokens = Tokens::in_ui(ui);
+    let (ink, font) = match chosen {
+        true => (tokens.text, semibold(12.0)),
+        false => (tokens.muted, FontId::proportional(12.0)),
+    };
+    let fill = if chosen {
+        tokens.raised
+    } else if enabled && response.is_pointer_button_down_on() {
+        tokens.held
+    } else if enabled && response.hovered() {
+        tokens.hover
+    } else {
+        Color32::TRANSPARENT
+    };
+    let face = response.rect.shrink2(vec2(0.0, EDGE));
+    let painter = ui.painter();
+    painter.rect_filled(face, 5.0, fill);
+    if response.has_focus() {
+        let stroke = Stroke::new(1.5, tokens.accent);
+        painter.rect_stroke(face, 5.0, stroke, StrokeKind::Inside);
+    }
+    let ink = if enabled {
+        ink
+    } else {
+        ink.gamma_multiply(0.5)
+    };
+    let middle = face.center();
+    painter.text(middle, Align2::CENTER_CENTER, segment.name, font, ink);
 }

@@ -1,12 +1,16 @@
 //! The menu: all commands by group, from their list, and the recent files.
 
+use super::row;
 use crate::app::commands::{ALL, Command, Group};
 use crate::app::files::shown;
-use crate::app::look::{Tokens, icon, icons, semibold};
+use crate::app::look::{Tokens, fits_fingers, icon, icons, semibold};
 use crate::app::platform::Errand;
 use crate::app::state::State;
 use eframe::egui::containers::menu::MenuButton;
-use eframe::egui::{Button, RichText, Role, Ui, WidgetInfo, vec2};
+use eframe::egui::{Button, RichText, Role, ScrollArea, Ui, WidgetInfo, vec2};
+
+/// Height of what a menu of the whole window leaves free, in points.
+const BESIDES: f32 = 96.0;
 
 /// Shows the menu's button, with the program's name or without, and the menu while it is open.
 pub fn show(ui: &mut Ui, state: &mut State, named: bool) {
@@ -21,22 +25,43 @@ pub fn show(ui: &mut Ui, state: &mut State, named: bool) {
     };
     let button = button.frame_when_inactive(false);
     let (button, _) = MenuButton::from_button(button).ui(ui, |ui| {
+        if fits_fingers(ui) {
+            return flat(ui, state);
+        }
         ui.set_min_width(160.0);
         for group in Group::ALL {
             ui.menu_button(group.title(), |ui| {
                 ui.set_min_width(248.0);
-                for entry in ALL.iter().filter(|entry| entry.group == group) {
-                    item(ui, state, entry.command);
-                    if entry.command == Command::Open {
-                        recent(ui, state);
-                    }
-                }
+                items(ui, state, group);
             });
         }
     });
     button
         .on_hover_text("Menu")
         .widget_info(|| WidgetInfo::labeled(Role::Button, true, "Menu"));
+}
+
+/// All groups below each other: a finger does not rest on what opens another
+/// menu, and a phone has no room for that beside this one.
+fn flat(ui: &mut Ui, state: &mut State) {
+    let most = ui.ctx().content_rect().height() - BESIDES;
+    ScrollArea::vertical().max_height(most).show(ui, |ui| {
+        ui.set_min_width(248.0);
+        for group in Group::ALL {
+            ui.add_space(8.0);
+            row::heading(ui, group.title());
+            items(ui, state, group);
+        }
+    });
+}
+
+fn items(ui: &mut Ui, state: &mut State, group: Group) {
+    for entry in ALL.iter().filter(|entry| entry.group == group) {
+        item(ui, state, entry.command);
+        if entry.command == Command::Open {
+            recent(ui, state);
+        }
+    }
 }
 
 fn item(ui: &mut Ui, state: &mut State, command: Command) {

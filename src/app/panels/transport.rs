@@ -11,9 +11,12 @@ use crate::app::transport::Transport;
 use crate::view::Quantity;
 use eframe::egui::{Align, ComboBox, DragValue, Layout, Ui, vec2};
 
-/// Below this width, in points, the slider has a row of its own, and what can be
-/// done without is left out.
+/// Below this width, in points, the slider has a row of its own.
 const NARROW: f32 = 640.0;
+/// Below this width what can be done without is left out.
+const SPARE: f32 = 800.0;
+/// Below this width there is no room for the play button but beside the slider.
+const CRAMPED: f32 = 364.0;
 /// Width of the field of what is set, in points.
 const FIELD: f32 = 84.0;
 
@@ -29,8 +32,10 @@ pub fn show(ui: &mut Ui, state: &mut State) {
         let layout = Layout::left_to_right(Align::Center);
         let controls = ui.with_layout(layout, |ui| {
             ui.spacing_mut().item_spacing.x = 8.0;
-            play(ui, state);
-            if !narrow {
+            if bar >= CRAMPED {
+                play(ui, state);
+            }
+            if bar >= SPARE {
                 looping(ui, state);
                 speed(ui, &mut state.transport);
                 button(ui, state, Command::FromStraight);
@@ -47,7 +52,12 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     if narrow {
         // A finger needs the whole width.
         ui.add_space(4.0);
-        track::show(ui, state, loads.inner.as_ref());
+        ui.horizontal(|ui| {
+            if bar < CRAMPED {
+                play(ui, state);
+            }
+            track::show(ui, state, loads.inner.as_ref());
+        });
         ui.add_space(8.0);
     }
 }
