@@ -111,7 +111,7 @@ test("an example is opened, and the browser's way back leads from it", async () 
   const page = await open();
   const first = await page.state();
   await tap(page, /^Menu/);
-  await tap(page, /^Examples/);
+  await tap(page, /Examples …/);
   await tap(page, /^One disc/);
   const one = await page.until(
     'the example is open',
