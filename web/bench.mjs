@@ -8,7 +8,9 @@
 // reading its request and writing its answer included.
 
 import { execFileSync } from 'node:child_process';
-import { readFileSync, readdirSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { linkOf } from './tests/link.mjs';
 import { Page, stage } from './tests/page.mjs';
@@ -64,7 +66,7 @@ async function dragging(site) {
 }
 
 async function solving(site) {
-  console.log('\nsolved from straight         native    browser     ratio');
+  console.log('\nfrom request to answer       native    browser     ratio');
   const tab = await (await site.browser.newContext()).newPage();
   // The window's requests to its solver, as bytes.
   await tab.addInitScript(() => {
@@ -75,21 +77,25 @@ async function solving(site) {
     };
   });
   const page = new Page(tab);
+  const folder = mkdtempSync(join(tmpdir(), 'sinew-'));
   for (const name of readdirSync(SCENES)) {
     const file = SCENES + name;
     await tab.goto('about:blank');
     await page.go(site.address + linkOf(readFileSync(file, 'utf8')));
     await page.until('the path is known', (state) => state.path_is_current);
     const browser = median(await tab.evaluate(solves, [BATCHES, SOLVES]));
-    const repeat = ['--repeat', '500', '--format', 'json'];
-    const told = JSON.parse(execFileSync(process.env.SINEW, ['solve', file, ...repeat]));
-    const native = told.timing_us.path.median / 1000;
+    const request = join(folder, name);
+    const bytes = await tab.evaluate(() => Array.from(globalThis.request));
+    writeFileSync(request, Uint8Array.from(bytes));
+    const told = execFileSync(process.env.NATIVE, [BATCHES, SOLVES, request].map(String));
+    const native = Number(told);
     const columns = [`${native.toFixed(3)} ms`, `${browser.toFixed(3)} ms`];
     const ratio = (browser / native).toFixed(2);
     console.log(
       `${name.padEnd(24)}${columns.map((text) => text.padStart(11)).join('')}${ratio.padStart(9)}`,
     );
   }
+  rmSync(folder, { recursive: true });
 }
 
 /** Milliseconds that the worker's program takes from a request to its answer,
