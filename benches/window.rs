@@ -64,10 +64,9 @@ impl Window {
             ..Preferences::default()
         };
         let opened = Sinew::new(&ctx, Some(scene), Box::new(backend), preferences);
-        let Ok(app) = opened else {
+        let Ok(mut app) = opened else {
             panic!("a window on the scene of this bench");
         };
-        let mut app = app;
         app.state_mut().commands.push(Command::SpreadPlots);
         let mut window = Self {
             ctx,

@@ -245,10 +245,14 @@ impl Command {
 
     /// The title with the shortcut, as for a tip.
     pub fn tip(self, ctx: &Context) -> String {
-        let entry = self.entry();
-        match &entry.shortcut {
-            Some(keys) => format!("{} ({})", entry.title, ctx.format_shortcut(keys)),
-            None => entry.title.to_owned(),
+        self.tip_saying(self.entry().title, ctx)
+    }
+
+    /// Other words than the title with the shortcut.
+    pub fn tip_saying(self, words: &str, ctx: &Context) -> String {
+        match &self.entry().shortcut {
+            Some(keys) => format!("{words} ({})", ctx.format_shortcut(keys)),
+            None => words.to_owned(),
         }
     }
 

@@ -4,6 +4,8 @@
 use crate::forces::Stiffness;
 use crate::model::Problem;
 use crate::scene::{Scene, SceneError};
+use crate::units::grams;
+use crate::view::Quantity;
 use std::path::PathBuf;
 
 /// A scene with its file.
@@ -86,6 +88,13 @@ impl Document {
     /// stiffness is known.
     pub fn newtons_per_multiplier(&self) -> Option<f64> {
         Some(self.stiffness()?.per_bend(&self.problem))
+    }
+
+    /// The force of a multiplier, in rad²/m, as it is written; `None` where the
+    /// stiffness is not known.
+    pub fn force(&self, multiplier: f64) -> Option<Quantity> {
+        let force = self.newtons_per_multiplier()? * multiplier;
+        Some(Quantity::significant(grams(force), "g"))
     }
 
     /// Whether the scene differs from what is kept.

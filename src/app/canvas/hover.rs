@@ -9,7 +9,7 @@ use crate::app::words;
 use crate::equilibrium::{Contact, Solution};
 use crate::forces::part_name;
 use crate::model::Problem;
-use crate::units::{METRES_PER_MM, degrees, grams, millimetres};
+use crate::units::{METRES_PER_MM, degrees, millimetres};
 use crate::view::{Frame, Quantity, Theme};
 use eframe::egui::{Color32, Painter, Rect, Stroke};
 
@@ -121,13 +121,8 @@ fn contact_chip(state: &State, problem: &Problem, contact: &Contact) -> Chip {
     let part = part_name(problem.robot(), contact);
     let name = words::obstacle_of(&state.document.scene, contact.obstacle);
     let multiplier = contact.multiplier * METRES_PER_MM;
-    let newtons = state.document.newtons_per_multiplier();
-    let force = newtons.map(|it| {
-        row(
-            "Force",
-            Quantity::significant(grams(it * contact.multiplier), "g"),
-        )
-    });
+    let force = state.document.force(contact.multiplier);
+    let force = force.map(|force| row("Force", force));
     Chip {
         title: Some(words::capital(&part)),
         rows: [

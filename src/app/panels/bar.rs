@@ -17,16 +17,16 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     let width = ui.available_width();
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        menu::show(ui, state, width >= MIDDLING);
-        if width >= MIDDLING {
+        let phone = width < MIDDLING;
+        menu::show(ui, state, !phone);
+        if !phone {
             examples(ui, state);
         }
-        let phone = width < MIDDLING;
         button(ui, state, Command::Undo);
         button(ui, state, Command::Redo);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
-            if width >= MIDDLING {
+            if !phone {
                 button(ui, state, Command::Help);
             }
             settings::show(ui, state);
@@ -43,7 +43,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
                 button(ui, state, Command::Palette);
             }
             views(ui, state, phone);
-            if width >= MIDDLING {
+            if !phone {
                 ui.add_space(4.0);
                 name(ui, state);
             }
@@ -89,11 +89,8 @@ fn theme(ui: &mut Ui, state: &mut State) {
     } else {
         (icons::MOON, "Dark")
     };
-    let keys = Command::Theme.entry().shortcut;
-    let keys = keys
-        .map(|keys| ui.ctx().format_shortcut(&keys))
-        .unwrap_or_default();
-    if icon_button(ui, glyph, &format!("{name} theme ({keys})")).clicked() {
+    let tip = Command::Theme.tip_saying(&format!("{name} theme"), ui.ctx());
+    if icon_button(ui, glyph, &tip).clicked() {
         state.commands.push(Command::Theme);
     }
 }

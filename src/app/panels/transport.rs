@@ -68,9 +68,7 @@ fn play(ui: &mut Ui, state: &mut State) {
     } else {
         (icons::PLAY, "Play")
     };
-    let keys = Command::Play.entry().shortcut;
-    let keys = keys.map(|keys| ui.ctx().format_shortcut(&keys));
-    let tip = format!("{name} ({})", keys.unwrap_or_default());
+    let tip = Command::Play.tip_saying(name, ui.ctx());
     if icon_button(ui, glyph, &tip).clicked() {
         state.commands.push(Command::Play);
     }
@@ -130,7 +128,7 @@ fn actuation(ui: &mut Ui, state: &mut State) -> Option<Loads> {
         Segment {
             name: "Load",
             title: "Set the load",
-            tip: format!("{tip} ({})", Command::Load.entry().title),
+            tip: Command::Load.tip_saying(tip, ui.ctx()),
             enabled: known,
         },
     ];

@@ -28,7 +28,6 @@ use crate::explore::Path;
 use crate::forces::{Stiffness, Window};
 use crate::model::Problem;
 use crate::scene::{ForceReading, Scene};
-use crate::units::newton_square_metres;
 use eframe::egui::Ui;
 
 /// A plot of the dock.
@@ -101,8 +100,7 @@ pub struct PlotData<'a> {
 impl PlotData<'_> {
     /// The stiffness, where the scene has one.
     pub fn stiffness(&self) -> Option<Stiffness> {
-        let given = self.scene.robot.bending_stiffness_nmm2?;
-        Stiffness::new(newton_square_metres(given)).ok()
+        Stiffness::of_scene(self.scene).ok().flatten()
     }
 
     /// The force readings of the scene.

@@ -9,7 +9,7 @@ use crate::app::state::State;
 use crate::app::{panels::row, words};
 use crate::scene::limits::{ANGLE, COORDINATE, CORNER_RADIUS, RADIUS, SIDE};
 use crate::scene::{Scene, Shape};
-use crate::units::{grams, per_millimetre};
+use crate::units::per_millimetre;
 use crate::view::Quantity;
 use eframe::egui::{Align, Layout, RichText, ScrollArea, Ui, vec2};
 
@@ -209,8 +209,7 @@ fn pressing(ui: &mut Ui, state: &State, index: usize) {
     row::fact(ui, "Contacts", "", &count);
     let written = Quantity::significant(per_millimetre(total), "rad²/mm");
     row::fact(ui, "Multipliers", "Σ λ", &written);
-    if let Some(newtons) = state.document.newtons_per_multiplier() {
-        let force = Quantity::significant(grams(newtons * total), "g");
+    if let Some(force) = state.document.force(total) {
         row::fact(ui, "Forces", "Σ F", &force);
     }
 }

@@ -6,7 +6,7 @@ use crate::app::look::semibold;
 use crate::app::panels::row;
 use crate::app::panels::status::Verdict;
 use crate::app::state::State;
-use crate::units::{degrees, grams, millimetres, per_millimetre};
+use crate::units::{degrees, millimetres, per_millimetre};
 use crate::view::Quantity;
 use eframe::egui::{RichText, Ui};
 
@@ -41,17 +41,13 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     row::fact(ui, "Contacts", "", &Quantity::fixed(count, 0, ""));
     let written = Quantity::significant(per_millimetre(total), "rad²/mm");
     row::fact(ui, "Multipliers", "Σ λ", &written);
-    if let Some(newtons) = state.document.newtons_per_multiplier() {
-        let in_grams = |value: f64| Quantity::significant(grams(newtons * value), "g");
-        row::fact(ui, "Forces", "Σ F", &in_grams(total));
+    let tension = solution.certificate.energy_slope;
+    let forces = [total, tension].map(|it| state.document.force(it));
+    if let [Some(total), Some(tension)] = forces {
+        row::fact(ui, "Forces", "Σ F", &total);
         ui.add_space(12.0);
         row::heading(ui, "Cable");
-        row::fact(
-            ui,
-            "Tension",
-            "T",
-            &in_grams(solution.certificate.energy_slope),
-        );
+        row::fact(ui, "Tension", "T", &tension);
     }
 }
 
