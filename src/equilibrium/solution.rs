@@ -180,7 +180,8 @@ impl Solution {
 
     /// The contacts' multipliers in the scaled problem's terms, by row.
     pub(super) fn row_multipliers(&self, problem: &Problem) -> Vec<(RowId, f64)> {
-        let scale = problem.segment().free_bend().powi(2);
+        let bend = problem.segment().free_bend();
+        let scale = bend * bend;
         let pressing = self.contacts.iter().filter(|c| c.multiplier > 0.0);
         let mut multipliers: Vec<(RowId, f64)> = pressing
             .map(|contact| {
@@ -234,7 +235,8 @@ impl Solution {
     ) {
         let length = problem.length();
         // The solver minimises Σ (β/β*)².
-        let scale = problem.segment().free_bend().powi(2);
+        let bend = problem.segment().free_bend();
+        let scale = bend * bend;
         self.contacts.clear();
         self.unique_split = true;
         for (row, &multiplier) in point.rows.iter().zip(multipliers) {

@@ -105,14 +105,14 @@ pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
 fn off_the_arc(problem: &Problem, solution: &Solution) -> f64 {
     let robot = problem.robot();
     let n = robot.segments as f64;
-    let bend = 2.0 * (problem.pull() / (2.0 * robot.offset * n)).asin();
+    let bend = 2.0 * libm::asin(problem.pull() / (2.0 * robot.offset * n));
     let mut at = robot.base.position;
     let mut worst = 0.0_f64;
     for (i, node) in solution.nodes.iter().enumerate() {
         if i > 0 {
             // The link's direction is the mean of its two disks' normals.
             let angle = (i as f64 - 0.5) * bend;
-            at += robot.length / n * Vector::new(angle.sin(), angle.cos());
+            at += robot.length / n * Vector::new(libm::sin(angle), libm::cos(angle));
         }
         worst = worst.max((node.position - at).norm());
     }

@@ -136,7 +136,7 @@ impl PathState {
             branch: self.branch,
             tip: PlanarNode {
                 position: blend(self.tip.position, other.tip.position),
-                disk: Vector::new(angle.cos(), angle.sin()),
+                disk: Vector::new(libm::cos(angle), libm::sin(angle)),
                 angle,
             },
             energy: mix(self.energy, other.energy),

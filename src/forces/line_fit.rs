@@ -66,7 +66,7 @@ impl LineFit {
         let slope = xy / xx;
         let intercept = mean_y - slope * mean_x;
         let residual = |(x, y): &(f64, f64)| y - (intercept + slope * x);
-        let squares: f64 = points.iter().map(|p| residual(p).powi(2)).sum();
+        let squares: f64 = points.iter().map(|p| residual(p) * residual(p)).sum();
         Ok(Self {
             slope,
             intercept,

@@ -61,9 +61,11 @@ impl Profile {
     /// The second moment of area about the axis of bending, in m⁴.
     pub fn second_moment(self) -> f64 {
         match self {
-            Profile::Rod { diameter } => PI / 64.0 * diameter.powi(4),
-            Profile::Tube { outer, inner } => PI / 64.0 * (outer.powi(4) - inner.powi(4)),
-            Profile::Strip { width, thickness } => width * thickness.powi(3) / 12.0,
+            Profile::Rod { diameter } => PI / 64.0 * libm::pow(diameter, 4.0),
+            Profile::Tube { outer, inner } => {
+                PI / 64.0 * (libm::pow(outer, 4.0) - libm::pow(inner, 4.0))
+            }
+            Profile::Strip { width, thickness } => width * libm::pow(thickness, 3.0) / 12.0,
         }
     }
 }

@@ -142,7 +142,7 @@ impl Sweep {
                 y: tip.position.y,
                 angle: tip.angle,
                 // J = n β² with sin(β/2) = l/(2an).
-                energy_slope: 2.0 * bend / (there.robot().offset * (0.5 * bend).cos()),
+                energy_slope: 2.0 * bend / (there.robot().offset * libm::cos(0.5 * bend)),
                 pressing: 0,
             }
         });

@@ -81,13 +81,13 @@ impl FourBar {
         // to D = (l_g² − l_s²)/(2a sin(MOST_BEND/2)), and then, since c² − q² =
         // l_g² − l_s², at q = (D − (l_g² − l_s²)/D)/2.
         let difference = shortening.abs() * (longer + shorter);
-        let least_sum = difference / (2.0 * offset * (0.5 * MOST_BEND).sin());
+        let least_sum = difference / (2.0 * offset * libm::sin(0.5 * MOST_BEND));
         let least_cosine = if least_sum > 0.0 {
             0.5 * (least_sum - difference / least_sum) / shorter
         } else {
             0.0
         };
-        let most_turn = least_cosine.clamp(-1.0, 1.0).acos().min(MOST_TURN);
+        let most_turn = libm::acos(least_cosine.clamp(-1.0, 1.0)).min(MOST_TURN);
         Self {
             offset,
             backbone,
@@ -95,7 +95,7 @@ impl FourBar {
             longer,
             numerator: free_sine * (longer + shorter),
             normaliser: (longer + shorter) / asinc(free_sine),
-            free_bend: 2.0 * free_sine.asin(),
+            free_bend: 2.0 * libm::asin(free_sine),
             most_turn,
             cable_is_shorter: shortening >= 0.0,
         }
@@ -104,7 +104,7 @@ impl FourBar {
     /// The shortenings for which a linkage exists and its free bend stays
     /// within [`MOST_BEND`], ends included.
     pub fn shortening_range(backbone: f64, offset: f64) -> (f64, f64) {
-        let most = 2.0 * offset * (0.5 * MOST_BEND).sin();
+        let most = 2.0 * offset * libm::sin(0.5 * MOST_BEND);
         (-most, most.min(0.98 * backbone))
     }
 
@@ -142,8 +142,8 @@ impl FourBar {
     /// of the mean disk direction.
     pub fn shear(&self, turn: f64) -> f64 {
         if self.cable_is_shorter {
-            let along = self.shorter * turn.sin();
-            along.atan2((self.longer * self.longer - along * along).sqrt())
+            let along = self.shorter * libm::sin(turn);
+            libm::atan2(along, (self.longer * self.longer - along * along).sqrt())
         } else {
             turn
         }
@@ -151,7 +151,7 @@ impl FourBar {
 
     /// The segment at a turn. Not finite where the linkage cannot close.
     pub fn at(&self, turn: f64) -> SegmentShape {
-        let (sine, cosine) = turn.sin_cos();
+        let (sine, cosine) = libm::sincos(turn);
         let t = self.shorter * sine;
         let q = self.shorter * cosine;
         let c = (self.longer * self.longer - t * t).sqrt();
@@ -166,7 +166,7 @@ impl FourBar {
         let growth = r * r + r1;
         let half_cosine = (1.0 - s * s).sqrt();
         let per_half_cosine = 1.0 / half_cosine;
-        let half = s.asin();
+        let half = libm::asin(s);
         let half1 = r * s * per_half_cosine;
         let half2 = (growth * s + s * half1 * half1) * per_half_cosine;
 
@@ -233,13 +233,13 @@ mod tests {
                 }
                 let step = shape.step[0];
                 assert!((step.norm() - segment.backbone()).abs() < 1e-17);
-                let (sine, cosine) = (-shape.bend[0]).sin_cos();
+                let (sine, cosine) = libm::sincos(-shape.bend[0]);
                 let upper = segment.offset() * Vector::new(cosine, sine);
                 let cable = step + upper - Vector::new(segment.offset(), 0.0);
                 assert!((cable.norm() - segment.cable()).abs() < 2e-17, "{turn}");
                 // The backbone's angle from the mean normal is the shear.
                 let mean = -0.5 * shape.bend[0];
-                let angle = step.x.atan2(step.y) + mean;
+                let angle = libm::atan2(step.x, step.y) + mean;
                 assert!((angle - segment.shear(turn)).abs() < 1e-14);
             }
         }
@@ -320,7 +320,7 @@ mod tests {
             let [cost, slope, _] = segment.at(turn).cost;
             let secant = 1.0 / f64::cos(turn);
             assert!((cost - secant * secant).abs() < 1e-13);
-            assert!((slope - 2.0 * secant * secant * turn.tan()).abs() < 1e-13);
+            assert!((slope - 2.0 * secant * secant * libm::tan(turn)).abs() < 1e-13);
         }
     }
 }

@@ -59,7 +59,7 @@ pub(super) fn fault(points: &[[f64; 2]]) -> Option<PolygonFault> {
     for second in 1..count {
         for first in 0..second {
             let [x, y] = edge(points[first], points[second]);
-            if x.hypot(y) < VERTEX_SPACING_MM {
+            if libm::hypot(x, y) < VERTEX_SPACING_MM {
                 return Some(PolygonFault::RepeatedVertex { first, second });
             }
         }
@@ -100,7 +100,7 @@ fn all_on_one_line(points: &[[f64; 2]]) -> bool {
     let longest = points
         .iter()
         .map(from_first)
-        .max_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1])));
+        .max_by(|a, b| libm::hypot(a[0], a[1]).total_cmp(&libm::hypot(b[0], b[1])));
     let Some(axis) = longest else { return true };
     let square = axis[0] * axis[0] + axis[1] * axis[1];
     points
@@ -112,7 +112,7 @@ fn all_on_one_line(points: &[[f64; 2]]) -> bool {
 /// The angle from edge `before`–`at` to edge `at`–`after`, rad, in (−π, π].
 fn turn(before: [f64; 2], at: [f64; 2], after: [f64; 2]) -> f64 {
     let (a, b) = (edge(before, at), edge(at, after));
-    cross(a, b).atan2(a[0] * b[0] + a[1] * b[1])
+    libm::atan2(cross(a, b), a[0] * b[0] + a[1] * b[1])
 }
 
 fn edge(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
@@ -139,7 +139,7 @@ mod tests {
         let with_straight_vertex = [[0.0, 0.0], [0.1, 0.1], [0.3, 0.3], [0.0, 0.3]];
         let round: Vec<[f64; 2]> = (0..64)
             .map(|i| f64::from(i) / 64.0 * std::f64::consts::TAU)
-            .map(|t| [t.cos(), t.sin()])
+            .map(|t| [libm::cos(t), libm::sin(t)])
             .collect();
         for shape in [&square[..], &with_straight_vertex, &round] {
             for shift in [0.0, -1000.0, 999_990.0] {
@@ -190,7 +190,7 @@ mod tests {
     fn outlines_that_cross_themselves_are_refused() {
         let star: Vec<[f64; 2]> = (0..5)
             .map(|i| f64::from(i) * 0.8 * std::f64::consts::PI)
-            .map(|t| [t.cos(), t.sin()])
+            .map(|t| [libm::cos(t), libm::sin(t)])
             .collect();
         assert!(matches!(fault(&star), Some(CrossesItself { .. })));
         let bow_tie = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];

@@ -74,7 +74,7 @@ fn positive_inverse<const NU: usize>(
         return (pivot > least).then(|| SMatrix::from_element(1.0 / pivot));
     }
     let factor: Cholesky<f64, Const<NU>> = Cholesky::new(matrix)?;
-    let positive = (0..NU).all(|i| factor.l_dirty()[(i, i)].powi(2) > least);
+    let positive = (0..NU).all(|i| factor.l_dirty()[(i, i)] * factor.l_dirty()[(i, i)] > least);
     positive.then(|| factor.inverse())
 }
 

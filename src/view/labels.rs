@@ -97,7 +97,7 @@ fn places(spot: &Spot, frame: &Frame, half: Vector) -> Vec<(f64, Vector)> {
             let straight = Vector::new(towards.x, -towards.y);
             for away in [0.0, 10.0, 22.0, 36.0, 54.0] {
                 for turn in [0.0, 0.4, -0.4, 0.8, -0.8, 1.3, -1.3, 2.0, -2.0] {
-                    let (sine, cosine) = f64::sin_cos(turn);
+                    let (sine, cosine) = libm::sincos(turn);
                     let direction = Vector::new(
                         cosine * straight.x - sine * straight.y,
                         sine * straight.x + cosine * straight.y,

@@ -66,10 +66,10 @@ impl Path {
                     let from = points[points.len() - 1] - centre;
                     let radius = from.norm();
                     // A chord that turns by α is r (1 − cos α/2) from its arc.
-                    let most = 2.0 * (1.0 - tolerance / radius).clamp(0.0, 1.0).acos();
+                    let most = 2.0 * libm::acos((1.0 - tolerance / radius).clamp(0.0, 1.0));
                     let count = (sweep.abs() / most.max(1e-3)).ceil().max(1.0);
                     for i in 1..count as usize {
-                        let (sine, cosine) = (sweep * i as f64 / count).sin_cos();
+                        let (sine, cosine) = libm::sincos(sweep * i as f64 / count);
                         points.push(centre + cosine * from + sine * perpendicular(from));
                     }
                     points.push(to);
@@ -103,7 +103,7 @@ pub enum Outline {
 /// The exact outline of an obstacle.
 pub fn outline(obstacle: &Obstacle) -> Outline {
     let (place, radius) = (obstacle.position(), obstacle.radius());
-    let (sine, cosine) = obstacle.angle().sin_cos();
+    let (sine, cosine) = libm::sincos(obstacle.angle());
     match obstacle.core() {
         Core::HalfPlane => {
             let normal = Vector::new(cosine, sine);
@@ -153,7 +153,7 @@ fn grown(vertices: &[Vector], radius: f64) -> Path {
             to: vertices[next] + radius * before,
         });
         if radius > 0.0 {
-            let turn = after.y.atan2(after.x) - before.y.atan2(before.x);
+            let turn = libm::atan2(after.y, after.x) - libm::atan2(before.y, before.x);
             pieces.push(Piece::Arc {
                 centre: vertices[next],
                 to: vertices[next] + radius * after,
@@ -255,7 +255,7 @@ mod tests {
                 };
                 let points = path.flattened(1e-5);
                 for i in 0..100 {
-                    let (sine, cosine) = (f64::from(i) * TAU / 100.0).sin_cos();
+                    let (sine, cosine) = libm::sincos(f64::from(i) * TAU / 100.0);
                     let direction = Vector::new(cosine, sine);
                     let reach = points.iter().map(|p| direction.dot(p));
                     let short = obstacle.support(direction).unwrap()

@@ -109,11 +109,11 @@ pub fn superscript(exponent: i32) -> String {
 pub fn one_two_five(limit: f64) -> f64 {
     // A hair more, so that rounding does not turn 10 into 5.
     let limit = limit * (1.0 + 1e-9);
-    let power = limit.log10().floor() as i32;
+    let power = libm::log10(limit).floor() as i32;
     let scaled = |factor: f64| match power {
         // Exact for the powers that are.
-        0.. => factor * 10f64.powi(power),
-        _ => factor / 10f64.powi(-power),
+        0.. => factor * libm::exp10(f64::from(power)),
+        _ => factor / libm::exp10(f64::from(-power)),
     };
     [5.0, 2.0]
         .map(scaled)

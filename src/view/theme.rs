@@ -62,7 +62,7 @@ impl Colour {
             if part <= 0.04045 {
                 part / 12.92
             } else {
-                ((part + 0.055) / 1.055).powf(2.4)
+                libm::pow((part + 0.055) / 1.055, 2.4)
             }
         });
         0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
@@ -187,7 +187,7 @@ impl Arrowhead {
     /// tail: seven points. Empty where the arrow has no length.
     pub fn outline(&self, tail: [f64; 2], tip: [f64; 2]) -> Vec<[f64; 2]> {
         let along = [tip[0] - tail[0], tip[1] - tail[1]];
-        let length = along[0].hypot(along[1]);
+        let length = libm::hypot(along[0], along[1]);
         if length.is_nan() || length <= 0.0 {
             return Vec::new();
         }

@@ -29,7 +29,7 @@ fn shape() -> impl Strategy<Value = Shape> {
                 points_mm: (0..5)
                     .map(|i| {
                         let angle = f64::from(i) * 0.4 * std::f64::consts::PI;
-                        [x + size * angle.cos(), y + size * angle.sin()]
+                        [x + size * libm::cos(angle), y + size * libm::sin(angle)]
                     })
                     .collect(),
                 rotation_deg: turn,

@@ -229,7 +229,7 @@ fn figures(value: f64) -> String {
     if size == 0.0 {
         "0".to_owned()
     } else if (1e-3..1e4).contains(&size) {
-        let decimals = (3.0 - size.log10().floor()).clamp(0.0, 6.0) as usize;
+        let decimals = (3.0 - libm::log10(size).floor()).clamp(0.0, 6.0) as usize;
         format!("{value:.decimals$}")
     } else {
         format!("{value:.3e}")

@@ -169,7 +169,7 @@ fn shown_length(metres: f64) -> Quantity {
         (millimetres, "mm")
     };
     // 1, 2 or 5 times a power of ten has no other digits.
-    let decimals = (-value.log10().floor()).max(0.0) as usize;
+    let decimals = (-libm::log10(value).floor()).max(0.0) as usize;
     Quantity::fixed(value, decimals, unit)
 }
 

@@ -19,7 +19,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
                 if outcome.is_ok() {
                     break;
                 }
-                let stiffness = stiffness * weight / chain.row_scale().powi(2);
+                let stiffness = stiffness * weight / (chain.row_scale() * chain.row_scale());
                 for (row, &multiplier) in self.point.rows.iter().zip(&self.multipliers) {
                     if held(multiplier, bound) {
                         self.hessian.stiffen(&self.point, row, stiffness - before);
