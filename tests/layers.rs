@@ -47,6 +47,17 @@ const TOP_ONLY: &[&str] = &[
     "print!",
 ];
 
+/// Below the window: none of std's functions that the system or the processor
+/// compute, whose last digits differ from machine to machine; libm has them.
+const SYSTEMS_OWN: &[&str] = &[
+    "sin", "cos", "tan", "sin_cos", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh",
+    "asinh", "acosh", "atanh", "exp", "exp2", "exp_m1", "ln", "ln_1p", "log", "log2", "log10",
+    "powf", "powi", "cbrt", "hypot", "mul_add",
+];
+
+/// The layers that draw on a screen, where the last digits mean nothing.
+const SCREEN: &[&str] = &["app", "render"];
+
 /// Lines of a file in src.
 const LONGEST: usize = 500;
 
@@ -280,6 +291,31 @@ fn only_the_top_does_io_and_only_geometry_knows_parry() {
         }
     }
     assert_eq!(wrong, [""; 0]);
+}
+
+/// The calls of [`SYSTEMS_OWN`] in code, as methods or by path.
+fn systems_own(code: &str) -> Vec<&'static str> {
+    let called = |name: &&&str| {
+        code.contains(&format!(".{name}(")) || code.contains(&format!("f64::{name}"))
+    };
+    SYSTEMS_OWN.iter().filter(called).copied().collect()
+}
+
+#[test]
+fn what_is_computed_is_the_same_on_every_machine() {
+    let mut wrong = Vec::new();
+    for source in sources() {
+        let layer = source.modules().first().copied().unwrap_or_default();
+        if SCREEN.contains(&layer) {
+            continue;
+        }
+        for name in systems_own(&source.parts().0) {
+            wrong.push(format!("{} calls {name}", source.path));
+        }
+    }
+    assert_eq!(wrong, [""; 0]);
+    assert_eq!(systems_own("x.sin() + libm::cos(x)"), ["sin"]);
+    assert_eq!(systems_own("xs.iter().copied().map(f64::exp)"), ["exp"]);
 }
 
 #[test]

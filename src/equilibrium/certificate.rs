@@ -20,7 +20,7 @@
 mod contacts;
 
 use super::solution::Contact;
-use crate::geometry::{Vector, cross, perpendicular};
+use crate::geometry::{Edge, Vector, cross, perpendicular};
 use crate::math::greatest;
 use crate::model::{Element, Problem};
 use nalgebra::{SMatrix, SVector};
@@ -189,24 +189,33 @@ impl Certifier {
         let mut deepest = 0.0_f64;
         for candidate in problem.candidates() {
             let i = candidate.node;
-            let (start, end) = match candidate.element {
+            let (start, edge) = match candidate.element {
                 Element::Point { lever } => (point(i, lever), None),
-                Element::Link { lever } => (point(i - 1, lever), Some(point(i, lever))),
-                Element::Across { lever } => (point(i, -lever), Some(point(i, lever))),
+                Element::Link { lever } => {
+                    let mut edge = Edge::alone(point(i - 1, lever), point(i, lever));
+                    let below = (i > 1).then(|| point(i - 2, lever));
+                    let above = (i + 1 < self.backbone.len()).then(|| point(i + 1, lever));
+                    edge.joined = [below, above];
+                    (edge.start, Some(edge))
+                }
+                Element::Across { lever } => {
+                    let edge = Edge::alone(point(i, -lever), point(i, lever));
+                    (edge.start, Some(edge))
+                }
             };
             for obstacle in problem.obstacles() {
-                match end {
+                match edge {
                     None => {
                         if !obstacle.is_beyond(start, candidate.radius) {
                             let distance = obstacle.clearance(start).distance;
                             deepest = greatest(deepest, candidate.radius - distance);
                         }
                     }
-                    Some(end) => {
-                        if let Some(depth) = obstacle.crossing_depth(start, end) {
+                    Some(edge) => {
+                        if let Some(depth) = obstacle.crossing_depth(start, edge.end) {
                             deepest = greatest(deepest, candidate.radius + depth);
                         }
-                        obstacle.edge_clearances(start, end, |clearance| {
+                        obstacle.edge_clearances(&edge, |clearance| {
                             deepest = greatest(deepest, candidate.radius - clearance.distance);
                         });
                     }
@@ -223,7 +232,7 @@ impl Certifier {
     /// β_i, clockwise from disk i − 1 to disk i.
     fn bend(&self, i: usize) -> f64 {
         let (below, above) = (self.disk(i - 1), self.disk(i));
-        cross(above, below).atan2(above.dot(&below))
+        libm::atan2(cross(above, below), above.dot(&below))
     }
 
     fn largest_bend(&self) -> f64 {
@@ -248,7 +257,7 @@ impl Certifier {
             let turn = |w: Vector| perpendicular(w) / w.norm_squared();
             let turn_curvature = |w: Vector| {
                 let p = perpendicular(w);
-                -(p * w.transpose() + w * p.transpose()) / w.norm_squared().powi(2)
+                -(p * w.transpose() + w * p.transpose()) / (w.norm_squared() * w.norm_squared())
             };
             let before = on_disk(turn(below));
             let after = on_disk(-turn(above));
@@ -333,7 +342,8 @@ impl Certifier {
         if problem.segment().free_bend().abs() < 1e-7 {
             return self.largest_bend() < 1e-6;
         }
-        let curvature = 2.0 / problem.robot().offset.powi(2);
+        let offset = problem.robot().offset;
+        let curvature = 2.0 / (offset * offset);
         let mut stiffness = 0.0;
         if self.pivots_positive() {
             return true;

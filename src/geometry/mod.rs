@@ -10,10 +10,12 @@
 //! surface is then the distance to the core minus the radius.
 
 mod clearance;
+mod edge;
 mod obstacle;
 mod passage;
 
-pub use clearance::{EdgeClearance, PointClearance};
+pub use clearance::PointClearance;
+pub use edge::{Edge, EdgeClearance};
 pub use obstacle::{Core, Obstacle};
 
 /// A point, a direction or a displacement in the plane.

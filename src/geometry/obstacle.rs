@@ -352,7 +352,7 @@ mod tests {
         let a = Obstacle::new(Core::segment(0.1), 0.01, Vector::new(0.1, 0.2), 0.2);
         let b = Obstacle::new(Core::segment(0.14), 0.02, Vector::new(0.11, 0.18), 1.7);
         // The ends of the capsules, in their own frames (0.05, 0) and (0.07, 0).
-        let end = |half: f64, angle: f64| half * Vector::new(angle.cos(), angle.sin());
+        let end = |half: f64, angle: f64| half * Vector::new(libm::cos(angle), libm::sin(angle));
         let moved = a.position() + end(0.06, 0.2) - b.position() - end(0.09, 1.7);
         assert!(a.change(&b) >= moved.norm());
         // A turn of almost a whole circle is a small one the other way.

@@ -4,9 +4,9 @@
 //! Both the robot's points and the obstacle may move. Everything is taken
 //! relative to the obstacle's own frame, in which it rests.
 
-use super::clearance::sweeps_over;
+use super::edge::sweeps_over;
 use super::obstacle::{Core, Obstacle};
-use super::{Vector, to_parry};
+use super::{Vector, cross, perpendicular, to_parry};
 use parry2d_f64::math::Pose;
 use parry2d_f64::query;
 use parry2d_f64::shape::{Ball, ConvexPolygon, Segment};
@@ -14,12 +14,25 @@ use parry2d_f64::shape::{Ball, ConvexPolygon, Segment};
 /// One of the robot's points at two instants.
 pub type Motion = (Vector, Vector);
 
+/// How far, as a cosine, the normal may turn on a chord through the outline: by
+/// a right angle, with room for the rounding of a box's corners.
+const TURNED: f64 = -1e-3;
+/// How far, as a cosine, the normal inside may be from that of the side by
+/// which a point came in: by 60°.
+const ENTERED: f64 = 0.5;
+/// The way round a corner, as a share of the outline, that a chord may cut off
+/// however far the normal turns. Rounding decides nothing at this length, and
+/// what is cut off is a tip of 1/80 of the outline's length on either side.
+const CORNER: f64 = 0.025;
+
 impl Obstacle {
     /// Whether a point, `radius` thick, that goes straight from one place to
     /// another, while this obstacle becomes `later`, passes through it: its
-    /// path cuts the outline and the outward normal turns by more than a
-    /// right angle. A point that slides around a curved surface also cuts a
-    /// chord, but turns little in a small step.
+    /// path cuts the outline, the outward normal turns by more than a right
+    /// angle, and the way round is not just the tip of a corner. A point that
+    /// slides around a curved surface also cuts a chord, but turns little in a
+    /// small step; one that slides round an acute corner turns at once, but
+    /// gets no farther.
     ///
     /// `moved` is an upper bound of how far the point goes relative to the
     /// obstacle; one that is farther away is not looked at.
@@ -31,7 +44,65 @@ impl Obstacle {
         let end = later.to_local(to);
         let normal_before = self.turn_to_local(self.clearance(from).normal);
         let normal_after = later.turn_to_local(later.clearance(to).normal);
-        normal_before.dot(&normal_after) < 0.0 && later.cuts(start, end, radius)
+        let through = normal_before.dot(&normal_after) < TURNED
+            && later.cuts(start, end, radius)
+            && !later.is_corner_between(start, end);
+        through || later.is_entered_elsewhere(start, end, radius, normal_after)
+    }
+
+    /// Whether a point, `radius` thick, that goes straight between two places
+    /// of a polygon's frame ends inside the outline and nearer to another side
+    /// than the one by which it came: its clearance would lead it on through.
+    fn is_entered_elsewhere(&self, start: Vector, end: Vector, radius: f64, out: Vector) -> bool {
+        let Core::Vertices(vertices) = &self.core else {
+            return false;
+        };
+        let grown = self.radius + radius;
+        let mut entered = (0.0, None);
+        for (a, b) in vertices.iter().zip(vertices.iter().cycle().skip(1)) {
+            let normal = -perpendicular(b - a).normalize();
+            let height = |point: Vector| normal.dot(&(point - a)) - grown;
+            let (before, after) = (height(start), height(end));
+            if after >= 0.0 {
+                return false;
+            }
+            let share = before / (before - after);
+            if before > 0.0 && share >= entered.0 {
+                entered = (share, Some(normal));
+            }
+        }
+        let (share, Some(by)) = entered else {
+            return false;
+        };
+        by.dot(&out) < ENTERED && !self.is_corner_between(start + share * (end - start), end)
+    }
+
+    /// Whether the shorter way along a polygon's outline from the place nearest
+    /// to one point of its frame to that nearest to another is at most the
+    /// share [`CORNER`] of the outline.
+    fn is_corner_between(&self, a: Vector, b: Vector) -> bool {
+        let Core::Vertices(vertices) = &self.core else {
+            return false;
+        };
+        let (mut round, mut nearest) = (0.0, [(f64::INFINITY, 0.0); 2]);
+        for (start, end) in vertices.iter().zip(vertices.iter().cycle().skip(1)) {
+            let edge = end - start;
+            let length = edge.norm();
+            for (point, nearest) in [a, b].iter().zip(&mut nearest) {
+                // Of a segment's two sides, the one that the point is on.
+                if vertices.len() == 2 && cross(edge, point - start) > 0.0 {
+                    continue;
+                }
+                let along = (edge.dot(&(point - start)) / length).clamp(0.0, length);
+                let distance = (start + edge * (along / length) - point).norm();
+                if distance < nearest.0 {
+                    *nearest = (distance, round + along);
+                }
+            }
+            round += length;
+        }
+        let way = (nearest[0].1 - nearest[1].1).abs();
+        way.min(round - way) <= CORNER * round
     }
 
     /// How far, as a cosine, the outward normal turns for a point, `radius`

@@ -1,7 +1,7 @@
 //! Which parts of the robot may touch obstacles, and how they move with its
 //! nodes. It holds no clearances.
 
-use crate::geometry::Vector;
+use crate::geometry::{Edge, Obstacle, PointClearance, Vector};
 use crate::solver::State;
 use serde::{Deserialize, Serialize};
 
@@ -71,6 +71,19 @@ pub struct Candidate {
     pub element: Element,
     /// How thick it is around its point or line, in metres.
     pub radius: f64,
+    /// Which edges of the robot, at least as thick, end in its point.
+    pub joins: Joins,
+}
+
+/// What ends in a point of the robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Joins {
+    /// No edge that may touch.
+    Nothing,
+    /// The links from the node below and, but for the last node, to the next.
+    Links,
+    /// The disk.
+    Disk,
 }
 
 impl Candidate {
@@ -91,6 +104,38 @@ impl Candidate {
             Element::Link { lever } => (nodes[self.node - 1].at(lever), node.at(lever)),
             Element::Across { lever } => (node.at(-lever), node.at(lever)),
         }
+    }
+
+    /// The clearance of a point candidate from an obstacle; `None` where the
+    /// edges that end in it are nearer.
+    pub fn point_clearance(
+        &self,
+        nodes: &[super::PlanarNode],
+        obstacle: &Obstacle,
+    ) -> Option<PointClearance> {
+        let Element::Point { lever } = self.element else {
+            return None;
+        };
+        let node = &nodes[self.node];
+        let point = node.at(lever);
+        let at = |node: usize| nodes.get(node).map(|node| node.at(lever));
+        match self.joins {
+            Joins::Nothing => Some(obstacle.clearance(point)),
+            Joins::Links => obstacle.end_clearance(point, [at(self.node - 1), at(self.node + 1)]),
+            Joins::Disk => obstacle.end_clearance(point, [Some(node.at(-lever)), None]),
+        }
+    }
+
+    /// The candidate's edge from the nodes, joined to the links below and above
+    /// it where it is a link itself; of no length for a point.
+    pub fn edge(&self, nodes: &[super::PlanarNode]) -> Edge {
+        let (start, end) = self.ends(nodes);
+        let mut edge = Edge::alone(start, end);
+        if let Element::Link { lever } = self.element {
+            let at = |node: usize| nodes.get(node).map(|node| node.at(lever));
+            edge.joined = [self.node.checked_sub(2).and_then(at), at(self.node + 1)];
+        }
+        edge
     }
 }
 

@@ -1,9 +1,9 @@
 //! From a scene, in the file's units, to a problem that cannot be wrong.
 
-use super::candidate::{Candidate, Element, Line};
+use super::candidate::{Candidate, Element, Joins, Line};
 use super::node::PlanarNode;
 use super::problem::{Problem, Robot};
-use crate::geometry::{Core, Obstacle, Vector};
+use crate::geometry::{Core, Edge, Obstacle, Vector};
 use crate::scene::{self, Candidates, Scene, SceneError, Shape, limits::shown};
 use crate::units::{metres, millimetres, radians};
 
@@ -99,7 +99,7 @@ fn robot(described: &scene::Robot) -> Robot {
         offset: metres(described.cable_offset_mm),
         base: PlanarNode {
             position: point(described.base_mm),
-            disk: Vector::new(angle.cos(), angle.sin()),
+            disk: Vector::new(libm::cos(angle), libm::sin(angle)),
             angle,
         },
     }
@@ -164,6 +164,7 @@ fn candidates(scene: &Scene, robot: &Robot) -> Vec<Candidate> {
         node,
         element: Element::Point { lever },
         radius: 0.0,
+        joins: Joins::Nothing,
     };
     match scene.contact.candidates {
         Candidates::Nodes => nodes
@@ -196,6 +197,13 @@ fn body(scene: &Scene, robot: &Robot, node: usize) -> Vec<Candidate> {
         node,
         element,
         radius,
+        joins: match line {
+            Line::Backbone | Line::Cable => Joins::Links,
+            Line::RimFarSide => Joins::Disk,
+            Line::RimCableSide if rim <= robot.offset && disk <= cable => Joins::Links,
+            Line::RimCableSide => Joins::Disk,
+            Line::BackboneLink | Line::CableLink | Line::Disk => Joins::Nothing,
+        },
     };
     let point = |lever| Element::Point { lever };
     let link = |lever| Element::Link { lever };
@@ -231,7 +239,7 @@ fn covers_base(robot: &Robot, scene: &Scene, obstacle: &Obstacle) -> bool {
         .any(|point| obstacle.clearance(*point).distance < thickness);
     if scene.contact.candidates == Candidates::Body {
         covered |= obstacle.crossing_depth(start, end).is_some();
-        obstacle.edge_clearances(start, end, |clearance| {
+        obstacle.edge_clearances(&Edge::alone(start, end), |clearance| {
             covered |= clearance.distance < thickness;
         });
     }

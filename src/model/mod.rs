@@ -12,7 +12,7 @@ mod node;
 mod problem;
 mod rows;
 
-pub use candidate::{Candidate, Element, Line};
+pub use candidate::{Candidate, Element, Joins, Line};
 pub use four_bar::{FourBar, MOST_BEND, MOST_TURN};
 pub use node::PlanarNode;
 pub use problem::{Bend, Place, Problem, Robot};

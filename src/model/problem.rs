@@ -435,21 +435,19 @@ impl Candidate {
     /// its vertices.
     pub fn place(&self, nodes: &[PlanarNode], obstacle: &Obstacle, vertex: Option<usize>) -> Place {
         let (start, end) = self.ends(nodes);
+        let clearance = self.point_clearance(nodes, obstacle);
         let mut place = Place {
             point: end,
-            normal: obstacle.clearance(end).normal,
+            normal: clearance.unwrap_or_else(|| obstacle.clearance(end)).normal,
             along: 1.0,
         };
-        if vertex.is_some() {
-            obstacle.edge_clearances(start, end, |clearance| {
-                if Some(clearance.vertex) == vertex {
-                    place = Place {
-                        point: start + clearance.along * (end - start),
-                        normal: clearance.normal,
-                        along: clearance.along,
-                    };
-                }
-            });
+        let facing = vertex.and_then(|v| obstacle.edge_clearance(&self.edge(nodes), v));
+        if let Some(clearance) = facing {
+            place = Place {
+                point: start + clearance.along * (end - start),
+                normal: clearance.normal,
+                along: clearance.along,
+            };
         }
         place
     }
@@ -477,7 +475,7 @@ impl Candidate {
                 if let Some(depth) = obstacle.crossing_depth(start, end) {
                     each(None, -depth - self.radius);
                 }
-                obstacle.edge_clearances(start, end, |clearance| {
+                obstacle.edge_clearances(&self.edge(nodes), |clearance| {
                     each(Some(clearance.vertex), clearance.distance - self.radius);
                 });
             }

@@ -100,7 +100,9 @@ pub(super) fn contact_rows(
             if obstacle.is_beyond(start, near) {
                 continue;
             }
-            let clearance = obstacle.clearance(start);
+            let Some(clearance) = candidate.point_clearance(nodes, obstacle) else {
+                continue;
+            };
             if clearance.distance > near {
                 continue;
             }
@@ -118,7 +120,7 @@ pub(super) fn contact_rows(
         if obstacle.is_beyond(start, near + (end - start).norm()) {
             continue;
         }
-        obstacle.edge_clearances(start, end, |clearance| {
+        obstacle.edge_clearances(&candidate.edge(nodes), |clearance| {
             if clearance.distance <= near {
                 rows.push(edge_row(
                     candidate,
@@ -196,7 +198,9 @@ pub(super) fn contact_curvature(
             node: &nodes[candidate.node],
             lever,
         };
-        let clearance = obstacle.clearance(point.node.at(lever));
+        let Some(clearance) = candidate.point_clearance(nodes, obstacle) else {
+            return none;
+        };
         let tangent = crate::geometry::perpendicular(clearance.normal);
         let along: State<3> = point.gradient(tangent);
         let mut after = clearance.curvature * along * along.transpose();
@@ -207,55 +211,51 @@ pub(super) fn contact_curvature(
         };
     }
     let [first, last] = edge_points(candidate, nodes);
-    let (start, end) = candidate.ends(nodes);
-    let mut curvature = none;
-    obstacle.edge_clearances(start, end, |clearance| {
-        if Some(clearance.vertex) != vertex {
-            return;
-        }
-        // The distance's quadratic form in the two ends, polarised on the
-        // displacements that unit changes of the six state components cause.
-        let still = Vector::zeros();
-        let ends = |i: usize| {
-            if i < 3 {
-                (first.displacement(i), still)
-            } else {
-                (still, last.displacement(i - 3))
-            }
-        };
-        let form = |a: (Vector, Vector)| {
-            clearance.second_derivative(end - start, obstacle.radius(), a.0, a.1)
-        };
-        let mut full = SMatrix::<f64, 6, 6>::zeros();
-        for i in 0..6 {
-            full[(i, i)] = form(ends(i));
-        }
-        for i in 0..6 {
-            for j in 0..i {
-                let (a, b) = (ends(i), ends(j));
-                let mixed = 0.5 * (form((a.0 + b.0, a.1 + b.1)) - full[(i, i)] - full[(j, j)]);
-                full[(i, j)] = mixed;
-                full[(j, i)] = mixed;
-            }
-        }
-        full[(2, 2)] += first.curvature((1.0 - clearance.along) * clearance.normal);
-        full[(5, 5)] += last.curvature(clearance.along * clearance.normal);
-        let lower = full.fixed_view::<3, 3>(0, 0).into_owned();
-        let upper = full.fixed_view::<3, 3>(3, 3).into_owned();
-        let across = full.fixed_view::<3, 3>(0, 3).into_owned();
-        curvature = if row.before.is_some() {
-            RowCurvature {
-                after: upper,
-                before: Some((lower, across)),
-            }
+    let edge = candidate.edge(nodes);
+    let Some(clearance) = vertex.and_then(|v| obstacle.edge_clearance(&edge, v)) else {
+        return none;
+    };
+    // The distance's quadratic form in the two ends, polarised on the
+    // displacements that unit changes of the six state components cause.
+    let still = Vector::zeros();
+    let ends = |i: usize| {
+        if i < 3 {
+            (first.displacement(i), still)
         } else {
-            RowCurvature {
-                after: lower + upper + across + across.transpose(),
-                before: None,
-            }
-        };
-    });
-    curvature
+            (still, last.displacement(i - 3))
+        }
+    };
+    let form = |a: (Vector, Vector)| {
+        clearance.second_derivative(edge.end - edge.start, obstacle.radius(), a.0, a.1)
+    };
+    let mut full = SMatrix::<f64, 6, 6>::zeros();
+    for i in 0..6 {
+        full[(i, i)] = form(ends(i));
+    }
+    for i in 0..6 {
+        for j in 0..i {
+            let (a, b) = (ends(i), ends(j));
+            let mixed = 0.5 * (form((a.0 + b.0, a.1 + b.1)) - full[(i, i)] - full[(j, j)]);
+            full[(i, j)] = mixed;
+            full[(j, i)] = mixed;
+        }
+    }
+    full[(2, 2)] += first.curvature((1.0 - clearance.along) * clearance.normal);
+    full[(5, 5)] += last.curvature(clearance.along * clearance.normal);
+    let lower = full.fixed_view::<3, 3>(0, 0).into_owned();
+    let upper = full.fixed_view::<3, 3>(3, 3).into_owned();
+    let across = full.fixed_view::<3, 3>(0, 3).into_owned();
+    if row.before.is_some() {
+        RowCurvature {
+            after: upper,
+            before: Some((lower, across)),
+        }
+    } else {
+        RowCurvature {
+            after: lower + upper + across + across.transpose(),
+            before: None,
+        }
+    }
 }
 
 /// Adds the rows of |τ| ≤ bound for the segments within reach of it.

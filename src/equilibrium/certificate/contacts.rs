@@ -3,7 +3,7 @@
 
 use super::{Block, Certifier, Gradient, Pair, pair};
 use crate::equilibrium::solution::Contact;
-use crate::geometry::{Vector, perpendicular};
+use crate::geometry::{Edge, Vector, perpendicular};
 use crate::model::{Element, Problem};
 
 impl Certifier {
@@ -83,13 +83,11 @@ impl Certifier {
         let point = |i: usize, lever: f64| self.backbone[i] + lever / offset * self.disk(i);
         let (start, end) = (point(first, first_lever), point(last, last_lever));
         let obstacle = &problem.obstacles()[contact.obstacle];
-        let mut found = None;
-        obstacle.edge_clearances(start, end, |clearance| {
-            if Some(clearance.vertex) == contact.vertex {
-                found = Some(clearance);
-            }
-        });
-        let Some(clearance) = found else { return };
+        let edge = Edge::alone(start, end);
+        let vertex = contact.vertex;
+        let Some(clearance) = vertex.and_then(|v| obstacle.edge_clearance(&edge, v)) else {
+            return;
+        };
         let moved = |lever: f64, d: Pair| {
             let share = lever / offset;
             (1.0 - share) * Vector::new(d[0], d[1]) + share * Vector::new(d[2], d[3])
