@@ -12,6 +12,7 @@ mod frame;
 mod labels;
 mod path;
 mod quantity;
+mod shares;
 mod theme;
 
 pub use bounds::Bounds;
@@ -23,4 +24,5 @@ pub use frame::Frame;
 pub use labels::{Placed, place_labels, place_labels_beside};
 pub use path::{Clipped, Outline, Path, Piece, circle, clip_half_plane, hatching, outline};
 pub use quantity::{Quantity, one_two_five, superscript};
+pub use shares::Shares;
 pub use theme::{Arrowhead, Colour, Palette, Style, Theme};
