@@ -3,10 +3,11 @@
 
 use super::bounds::Bounds;
 use super::drawing::{Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Most, Role, Spot};
+use super::outcome::standing;
 use super::path::{Outline, Path, clip_half_plane, hatching, outline};
 use super::quantity::{Quantity, one_two_five};
 use super::shares::Shares;
-use crate::equilibrium::{Certificate, Class, Contact, Solution, Status};
+use crate::equilibrium::{Class, Contact, Solution};
 use crate::forces::Stiffness;
 use crate::geometry::Vector;
 use crate::model::{PlanarNode, Problem, Sizes};
@@ -340,40 +341,4 @@ fn note(problem: &Problem) -> Option<String> {
         1..=3 => format!("obstacles keep out only {}", names.join(", ")),
         count => format!("obstacles keep out only {count} nodes"),
     })
-}
-
-fn standing(solution: &Solution) -> Standing {
-    let certificate = &solution.certificate;
-    if solution.status == Status::Converged && certificate.holds() && !solution.nodes.is_empty() {
-        return Standing::Certified;
-    }
-    let what = match &solution.status {
-        Status::Converged => "Not certified",
-        Status::Unfinished => "Unfinished",
-        Status::Infeasible { .. } => "Infeasible",
-        Status::BranchEnded { .. } => "Branch ended",
-        Status::IterationLimit => "Iteration limit",
-        Status::NumericalFailure => "Numerical failure",
-    };
-    let reason = match &solution.status {
-        Status::Converged => format!("not certified: {}", refused(certificate)),
-        status => status.reason(),
-    };
-    Standing::Greyed { what, reason }
-}
-
-/// Why a certificate does not hold.
-fn refused(certificate: &Certificate) -> String {
-    if certificate.residual() > Certificate::BOUND {
-        let residual = Quantity::significant(certificate.residual(), "");
-        let bound = Quantity::significant(Certificate::BOUND, "");
-        format!(
-            "the optimality residual is {}, over {}",
-            residual.digits, bound.digits
-        )
-    } else if !certificate.orientation {
-        "a segment is assembled the wrong way round".to_owned()
-    } else {
-        "the shape is balanced but not a minimum of the energy".to_owned()
-    }
 }
