@@ -299,6 +299,74 @@ fn a_crash_loses_nothing() {
     assert!(Stored::of(Some(&stored_by(&mut window))).unsaved.is_empty());
 }
 
+/// A dialog may stay open while another scene is opened.
+#[test]
+fn what_is_chosen_for_one_scene_is_not_done_to_the_next() {
+    let desk = Desk::default();
+    let mut window = window(&desk);
+    pull(&mut window, 3.75);
+    let first = scene(&window).clone();
+    let other = Scene::default().to_toml().unwrap();
+    desk.put("/home/a/other.toml", other.clone());
+    desk.take_its_time();
+    ctrl_shift(&mut window, Key::S);
+    drop_on(&mut window, &desk, "/home/a/other.toml");
+    assert_eq!(*scene(&window), Scene::default());
+    desk.answer_now("/home/a/first.toml");
+    window.run();
+    assert!(says(&window, "Saved first.toml"));
+    let saved = Scene::from_toml(&desk.text("/home/a/first.toml")).unwrap();
+    assert_eq!(saved, first);
+    // The other one has its own name, and saving it changes its own file.
+    let file = state(&window).document.file.as_deref();
+    assert_eq!(file, Some(Path::new("/home/a/other.toml")));
+    pull(&mut window, 1.5);
+    assert!(state(&window).document.is_changed());
+    ctrl(&mut window, Key::S);
+    let saved = Scene::from_toml(&desk.text("/home/a/first.toml")).unwrap();
+    assert_eq!(saved, first);
+    assert!(desk.text("/home/a/other.toml").contains("pull_mm = 1.5"));
+
+    // The same with what is brought into a scene.
+    desk.put("/home/a/measured.csv", "x_mm,y_mm\n0,0\n0,60\n2,120\n");
+    desk.put("/home/a/robot.png", png(64, 48));
+    for (command, path) in [
+        (Command::ImportMeasurements, "/home/a/measured.csv"),
+        (Command::PlacePhoto, "/home/a/robot.png"),
+    ] {
+        window.state_mut().state_mut().commands.push(command);
+        window.run();
+        drop_on(&mut window, &desk, "/home/a/first.toml");
+        desk.answer_now(path);
+        window.run();
+        assert_eq!(*scene(&window), first);
+        let name = path.strip_prefix("/home/a/").unwrap();
+        let told = format!("{name} was chosen for the scene before this one");
+        assert!(says(&window, &told));
+    }
+}
+
+/// A picture that comes by itself closes no dialog.
+#[test]
+fn a_dialog_stays_the_only_one_until_it_is_answered() {
+    let desk = Desk::default();
+    desk.put("/home/a/robot.png", png(64, 48));
+    let mut window = window(&desk);
+    drop_on(&mut window, &desk, "/home/a/robot.png");
+    desk.answer(Some("/home/a/first.toml"));
+    ctrl(&mut window, Key::S);
+    desk.take_its_time();
+    ctrl_shift(&mut window, Key::S);
+    // Its photograph is read again.
+    drop_on(&mut window, &desk, "/home/a/first.toml");
+    ctrl(&mut window, Key::O);
+    assert_eq!(desk.open_dialogs(), 1);
+    desk.answer_now("/home/a/second.toml");
+    window.run();
+    ctrl(&mut window, Key::O);
+    assert_eq!(desk.open_dialogs(), 1);
+}
+
 #[test]
 fn stored_nonsense_is_told_and_left_out() {
     let mut storage = Storage::default();

@@ -20,6 +20,10 @@ struct Inner {
     offered: Vec<String>,
     news: VecDeque<News>,
     full: bool,
+    /// Whether dialogs stay open.
+    waiting: bool,
+    /// What waits for their answers.
+    asked: Vec<(Errand, Option<Contents>)>,
 }
 
 impl Desk {
@@ -49,6 +53,26 @@ impl Desk {
     pub fn answer(&self, path: Option<&str>) {
         let answer = path.map(PathBuf::from);
         self.inner.lock().unwrap().answers.push_back(answer);
+    }
+
+    /// From now on dialogs stay open.
+    pub fn take_its_time(&self) {
+        self.inner.lock().unwrap().waiting = true;
+    }
+
+    /// Answers the dialog that has been open longest.
+    pub fn answer_now(&self, path: &str) {
+        let mut inner = self.inner.lock().unwrap();
+        let (errand, contents) = inner.asked.remove(0);
+        match contents {
+            Some(contents) => inner.write(errand, path.into(), contents),
+            None => inner.read(errand, path.into()),
+        }
+    }
+
+    /// How many dialogs are open.
+    pub fn open_dialogs(&self) -> usize {
+        self.inner.lock().unwrap().asked.len()
     }
 
     /// The names that dialogs have offered for saving.
@@ -92,6 +116,26 @@ impl Inner {
         });
     }
 
+    fn write(&mut self, errand: Errand, path: PathBuf, contents: Contents) {
+        let written = if self.full {
+            Err("the disk is full".to_owned())
+        } else {
+            contents(&path)
+        };
+        let news = match written {
+            Ok(bytes) => {
+                self.files.insert(path.clone(), bytes);
+                News::Written { errand, path }
+            }
+            Err(reason) => News::Failed {
+                errand,
+                path: Some(path),
+                reason,
+            },
+        };
+        self.news.push_back(news);
+    }
+
     fn answered(&mut self, errand: Errand) -> Option<PathBuf> {
         let answer = self.answers.pop_front().expect("a dialog nobody foresaw");
         if answer.is_none() {
@@ -104,7 +148,9 @@ impl Inner {
 impl Platform for Desk {
     fn pick(&mut self, errand: Errand, _folder: Option<&Path>) {
         let mut inner = self.inner.lock().unwrap();
-        if let Some(path) = inner.answered(errand) {
+        if inner.waiting {
+            inner.asked.push((errand, None));
+        } else if let Some(path) = inner.answered(errand) {
             inner.read(errand, path);
         }
     }
@@ -124,29 +170,17 @@ impl Platform for Desk {
             Destination::Known(path) => path,
             Destination::Ask { name, .. } => {
                 inner.offered.push(name);
+                if inner.waiting {
+                    inner.asked.push((errand, Some(contents)));
+                    return;
+                }
                 match inner.answered(errand) {
                     Some(path) => path,
                     None => return,
                 }
             }
         };
-        let written = if inner.full {
-            Err("the disk is full".to_owned())
-        } else {
-            contents(&path)
-        };
-        let news = match written {
-            Ok(bytes) => {
-                inner.files.insert(path.clone(), bytes);
-                News::Written { errand, path }
-            }
-            Err(reason) => News::Failed {
-                errand,
-                path: Some(path),
-                reason,
-            },
-        };
-        inner.news.push_back(news);
+        inner.write(errand, path, contents);
     }
 
     fn work(&mut self, work: Box<dyn FnOnce() + Send>) {
