@@ -43,7 +43,7 @@ pub use state::{Hovered, Preferences, Selection, State, Views};
 use crate::scene::Scene;
 use backend::SolverBackend;
 use eframe::egui::{self, Context, Ui};
-use files::autosave::Stored;
+use files::autosave::{Stored, Unsaved};
 use notices::Notice;
 use platform::Platform;
 use std::path::PathBuf;
@@ -85,9 +85,9 @@ impl Sinew {
     pub fn on(mut self, platform: Box<dyn Platform>, stored: Stored) -> Self {
         let state = &mut self.state;
         state.files.platform = platform;
+        state.files.unsaved = Unsaved::left(&mut *state.files.platform);
         state.preferences = stored.preferences;
         state.files.recent = stored.recent;
-        state.files.unsaved = stored.unsaved;
         if let (Some(dock), Some(arrangement)) = (&mut state.dock, stored.dock) {
             dock.arrange(arrangement);
         }
@@ -181,6 +181,7 @@ impl eframe::App for Sinew {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        files::autosave::keep(&mut self.state);
         files::autosave::store(&self.state, storage);
     }
 

@@ -1,16 +1,46 @@
-//! A system in memory around a window: files, answers to its dialogs, and what
-//! it stores.
+//! A system in memory around a window: files, answers to its dialogs, what it
+//! stores and what it keeps.
 
 use eframe::egui::{DroppedFile, DroppedFileHandle};
-use sinew::app::platform::{Contents, Destination, Errand, News, Platform};
+use sinew::app::platform::{Contents, Destination, Errand, Left, News, Platform};
 use std::collections::{BTreeMap, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
-/// The files, and what is to happen next. Clones are the same desk.
-#[derive(Clone, Default)]
+/// The files, and what is to happen next. Clones are the same desk, each for a
+/// window of its own.
+#[derive(Default)]
 pub struct Desk {
     inner: Arc<Mutex<Inner>>,
+    /// Which of the clones it is.
+    window: usize,
+}
+
+impl Clone for Desk {
+    fn clone(&self) -> Self {
+        let inner = Arc::clone(&self.inner);
+        let mut locked = inner.lock().unwrap();
+        locked.windows += 1;
+        let window = locked.windows;
+        drop(locked);
+        Self { inner, window }
+    }
+}
+
+/// However a window ends, what it has kept is anybody's.
+impl Drop for Desk {
+    fn drop(&mut self) {
+        for drawer in &mut self.inner.lock().unwrap().drawers {
+            drawer.holder = drawer.holder.filter(|holder| *holder != self.window);
+        }
+    }
+}
+
+/// What a window has kept, and whose it is.
+struct Drawer {
+    owner: usize,
+    holder: Option<usize>,
+    work: String,
 }
 
 #[derive(Default)]
@@ -19,6 +49,8 @@ struct Inner {
     answers: VecDeque<Option<PathBuf>>,
     offered: Vec<String>,
     news: VecDeque<News>,
+    drawers: Vec<Drawer>,
+    windows: usize,
     full: bool,
     /// Whether dialogs stay open.
     waiting: bool,
@@ -73,6 +105,12 @@ impl Desk {
     /// How many dialogs are open.
     pub fn open_dialogs(&self) -> usize {
         self.inner.lock().unwrap().asked.len()
+    }
+
+    /// Puts something where a window that is gone has kept its work.
+    pub fn leave(&self, work: &str) {
+        let mut window = self.clone();
+        window.keep(Some(work.to_owned()));
     }
 
     /// The names that dialogs have offered for saving.
@@ -185,6 +223,38 @@ impl Platform for Desk {
 
     fn work(&mut self, work: Box<dyn FnOnce() + Send>) {
         work();
+    }
+
+    fn keep(&mut self, work: Option<String>) {
+        let mut inner = self.inner.lock().unwrap();
+        inner.drawers.retain(|drawer| drawer.owner != self.window);
+        if let Some(work) = work {
+            let owner = self.window;
+            inner.drawers.push(Drawer {
+                owner,
+                holder: Some(owner),
+                work,
+            });
+        }
+    }
+
+    fn left(&mut self) -> Vec<Left> {
+        let mut inner = self.inner.lock().unwrap();
+        let drawers = inner.drawers.iter_mut().rev();
+        let free = drawers.filter(|drawer| drawer.holder.is_none());
+        free.map(|drawer| {
+            drawer.holder = Some(self.window);
+            Left {
+                drawer: drawer.owner.to_string(),
+                work: drawer.work.clone(),
+            }
+        })
+        .collect()
+    }
+
+    fn forget(&mut self, drawer: &str) {
+        let mut inner = self.inner.lock().unwrap();
+        inner.drawers.retain(|it| it.owner.to_string() != drawer);
     }
 
     fn poll(&mut self) -> Option<News> {

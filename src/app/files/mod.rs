@@ -49,6 +49,8 @@ pub struct Arrival {
     pub told: Option<String>,
     /// Whether it counts as saved.
     pub kept: bool,
+    /// Where a window that is gone has kept it, if that is where it is from.
+    pub drawer: Option<String>,
 }
 
 /// A dialog, and which document it was opened for: another may be there when it
