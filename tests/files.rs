@@ -15,7 +15,7 @@ use sinew::app::backend::Inline;
 use sinew::app::dock::{Arrangement, Dock};
 use sinew::app::files::autosave::Stored;
 use sinew::app::{Command, Preferences, Selection, Sinew, State, Views};
-use sinew::scene::Scene;
+use sinew::scene::{Candidates, Scene};
 use std::path::Path;
 
 type Window = Harness<'static, Sinew>;
@@ -195,6 +195,8 @@ fn unsaved_work_is_guarded() {
     ctrl(&mut window, Key::N);
     let empty = scene(&window).clone();
     assert!(empty.obstacles.is_empty());
+    // Whatever is put beside the robot keeps all of it out.
+    assert_eq!(empty.contact.candidates, Candidates::Body);
     ctrl(&mut window, Key::Z);
     assert_eq!(*scene(&window), first);
     // The scene that was undone to differs from what is open: it is guarded.

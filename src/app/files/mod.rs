@@ -19,7 +19,7 @@ use super::notices::Notice;
 use super::platform::{Destination, Errand, News, Platform};
 use super::sheets::Sheet;
 use super::state::State;
-use crate::scene::Scene;
+use crate::scene::{Candidates, Scene};
 use autosave::Unsaved;
 use eframe::egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
@@ -30,7 +30,7 @@ const MOST_RECENT: usize = 10;
 /// What is to take the place of the document.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Intent {
-    /// The paper's robot with nothing around it.
+    /// The paper's robot with nothing around it, see [`blank`].
     New,
     /// A scene that is kept nowhere: an example, a link, a file's contents.
     Scene(Box<Arrival>),
@@ -139,10 +139,19 @@ pub fn request(state: &mut State, intent: Intent, ctx: &Context) {
     }
 }
 
+/// A scene that is begun in the window: the paper's robot with nothing around
+/// it, whose whole body may touch. The paper lets only nodes touch; whoever puts
+/// an obstacle between them would see it pass through the robot.
+pub fn blank() -> Scene {
+    let mut scene = Scene::default();
+    scene.contact.candidates = Candidates::Body;
+    scene
+}
+
 /// Puts something in the place of the document, whatever becomes of it.
 pub fn carry_out(state: &mut State, intent: Intent, ctx: &Context) {
     match intent {
-        Intent::New => open::arrive(state, Arrival::of(Scene::default())),
+        Intent::New => open::arrive(state, Arrival::of(blank())),
         Intent::Scene(arrival) => open::arrive(state, *arrival),
         Intent::Close => {
             state.files.closing = true;
