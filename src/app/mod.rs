@@ -14,6 +14,8 @@ pub mod dock;
 mod document;
 pub mod examples;
 pub mod files;
+#[cfg(not(target_arch = "wasm32"))]
+mod fit;
 mod history;
 pub mod link;
 mod live;
@@ -54,6 +56,8 @@ const FIRST: &str = include_str!("../../assets/scenes/two-discs.toml");
 /// The window's contents.
 pub struct Sinew {
     state: State,
+    #[cfg(not(target_arch = "wasm32"))]
+    fit: fit::Fit,
 }
 
 impl Sinew {
@@ -77,6 +81,8 @@ impl Sinew {
         let document = Document::new(scene)?;
         Ok(Self {
             state: State::new(document, backend, preferences),
+            #[cfg(not(target_arch = "wasm32"))]
+            fit: fit::Fit::default(),
         })
     }
 
@@ -169,8 +175,10 @@ impl Sinew {
 }
 
 impl eframe::App for Sinew {
-    fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
+    fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         self.before_frame(ctx);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.fit.look(ctx, frame);
     }
 
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
