@@ -900,11 +900,11 @@ fn measured_points_that_make_no_sense_are_refused_by_row() {
     for (points, sentence) in [
         (
             "",
-            "there are no measured points; give at least 3, base to tip",
+            "there are no measured points; give at least 2, base to tip",
         ),
         (
-            "x_mm,y_mm\n0,0\n1,9\n",
-            "there are only 2 measured points, which no shape can be told from; give at least 3",
+            "x_mm,y_mm\n1,9\n",
+            "there is only 1 of the at least 2 measured points that a comparison needs; add some",
         ),
         (
             "x_mm,y_mm\n0,0\n1;9\n",
@@ -947,6 +947,28 @@ fn measured_points_that_make_no_sense_are_refused_by_row() {
         b"",
         "nowhere.csv: there is no such file",
     );
+}
+
+#[test]
+fn what_a_scene_says_was_measured_is_checked_as_it_is_compared() {
+    let free = fs::read_to_string(asset("free")).unwrap();
+    let with = |points: &str| format!("{free}\n[measured]\npoints_mm = {points}\n");
+    for command in ["check", "compare"] {
+        check_with(&[command, "-"], with("[[0, 90], [0, 180]]").as_bytes(), 0);
+        for (points, sentence) in [
+            ("[[0, 90]]", "has 1 of the at least 2 entries it needs"),
+            (
+                "[[0, 90], [0, 20000]]",
+                "row 2 is 20000.0 mm from the base, and the robot is 180.0 mm long; check its \
+                 unit (mm) and its origin (the scene's)",
+            ),
+        ] {
+            let ran = sinew(&[command, "-"], with(points).as_bytes());
+            assert_eq!(ran.code, 2, "{command}");
+            let told = ran.err.contains("measured.points_mm") && ran.err.contains(sentence);
+            assert!(told, "{command}: {}", ran.err);
+        }
+    }
 }
 
 #[test]

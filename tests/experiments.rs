@@ -8,6 +8,7 @@ use sinew::experiments::{
 };
 use sinew::geometry::Vector;
 use sinew::model::Problem;
+use sinew::scene::{Measurements, Scene};
 use sinew::units::{metres, millimetres};
 
 /// Table 1, as in its text.
@@ -248,6 +249,27 @@ fn the_pull_of_a_shape_is_found_from_its_points() {
     }
 }
 
+/// As many points as the scene's check asks for are enough.
+#[test]
+fn two_points_of_a_scene_are_compared() {
+    for nodes in [vec![9, 18], Vec::new()] {
+        let mut scene = Scene::default();
+        let points = points_at(7.3, 0.0, true);
+        let held = [9, 18].map(|node| points[node].position.map(millimetres).into());
+        scene.measured = Some(Measurements {
+            points_mm: held.to_vec(),
+            nodes,
+            ..Measurements::default()
+        });
+        let problem = Problem::new(&scene).unwrap();
+        let held = scene.measured.as_ref().unwrap();
+        let measured = Measured::of_scene(held, &problem).unwrap();
+        let (_, solution, fit) = best_pull(&problem, &measured).unwrap();
+        near(millimetres(solution.pull), 7.3, 1e-5);
+        assert!(fit.rms < 1e-8, "{}", fit.rms);
+    }
+}
+
 #[test]
 fn distances_are_those_of_the_points() {
     let measured = Measured::new(points_at(5.0, 0.25, true), &free()).unwrap();
@@ -267,7 +289,7 @@ fn measured_points_that_make_no_sense_name_their_row() {
         assert_eq!(Measured::new(points, &free()), Err(expected));
     };
     check(&|p| p.clear(), false, MeasuredFault::Empty);
-    check(&|p| p.truncate(2), false, MeasuredFault::TooFew(2));
+    check(&|p| p.truncate(1), false, MeasuredFault::TooFew(1));
     check(
         &|p| p[3].position.x = f64::NAN,
         false,

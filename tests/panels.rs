@@ -10,6 +10,7 @@ use sinew::app::{Preferences, Selection, Sinew, State};
 use sinew::equilibrium::Certificate;
 use sinew::forces::{Statics, Stiffness};
 use sinew::scene::{Scene, Shape};
+use sinew::view::{Standing, outcome};
 
 type Window = Harness<'static, Sinew>;
 
@@ -354,6 +355,28 @@ fn a_branch_that_ends_is_told_with_its_reason() {
     let reason = solution.status.reason();
     select(&mut window, "Status: Branch ended");
     assert!(told(&window, &reason[1..]), "{reason}");
+}
+
+/// A state has one name: over the canvas, in the chip, in the certificate and
+/// in pictures.
+#[test]
+fn what_became_of_a_solve_has_one_name() {
+    let wedge = include_str!("../assets/scenes/wedge.toml");
+    let scene = Scene::from_toml(wedge).unwrap();
+    let mut window = window(Some(scene), [1280.0, 800.0], Theme::Light);
+    let state_mut = window.state_mut().state_mut();
+    state_mut.document.scene.actuation.pull_mm = 12.0;
+    window.run();
+    let solution = state(&window).live.solution().unwrap();
+    assert_eq!(solution.status.word(), "infeasible");
+    let name = outcome(solution);
+    let Standing::Greyed { what, .. } = &state(&window).live.drawing().standing else {
+        panic!("it is believed");
+    };
+    assert_eq!(*what, name);
+    select(&mut window, &format!("Status: {name}"));
+    // Over the canvas and in the certificate.
+    assert!(window.query_all_by_label(name).count() >= 2);
 }
 
 #[test]

@@ -15,8 +15,7 @@ use sinew::equilibrium::{Settings, Solution, Start, solve};
 use sinew::geometry::{Core, Obstacle, Vector};
 use sinew::model::Problem;
 use sinew::render::{
-    self, Camera, FieldOutput, FieldPass, FieldPicture, RobotSizes, SolidPass, SolidPicture,
-    contour_spacing,
+    self, Camera, FieldOutput, FieldPass, FieldPicture, SolidPass, SolidPicture, contour_spacing,
 };
 use sinew::scene::Scene;
 use sinew::view::{Bounds, Frame, Notes, Standing, Theme, draw};
@@ -270,8 +269,7 @@ fn solid_image(
 fn solids(text: &str, theme: Theme, aspect: f64) -> SolidPicture {
     let (scene, problem, solution) = solved(text);
     let standing = draw(&problem, &solution, &Notes::of(&scene)).standing;
-    let sizes = RobotSizes::of(&scene.robot);
-    let mesh = render::mesh(&problem, &solution, &sizes, theme, &standing);
+    let mesh = render::mesh(&problem, &solution, theme, &standing);
     SolidPicture {
         camera: Camera::fitting(&mesh.focus, aspect),
         mesh: Arc::new(mesh),
@@ -378,8 +376,7 @@ fn warm(image: &Picture<[u8; 4]>) -> usize {
 #[test]
 fn contacts_glow_and_grey_shapes_do_not() {
     let screen = Offscreen::new();
-    let (scene, problem, solution) = solved(TWO_DISCS);
-    let sizes = RobotSizes::of(&scene.robot);
+    let (_, problem, solution) = solved(TWO_DISCS);
     for theme in [Theme::Light, Theme::Dark] {
         let certified = solids(TWO_DISCS, theme, 1.0);
         let image = solid_image(&screen, &certified, STORED, [500, 500], 4);
@@ -395,7 +392,7 @@ fn contacts_glow_and_grey_shapes_do_not() {
             what: "Unfinished",
             reason: String::new(),
         };
-        let mesh = render::mesh(&problem, &solution, &sizes, theme, &greyed);
+        let mesh = render::mesh(&problem, &solution, theme, &greyed);
         let grey = SolidPicture {
             mesh: Arc::new(mesh),
             ..certified

@@ -32,7 +32,7 @@ pub struct Live {
     path: Option<Arc<Path>>,
     /// Whether the path is that of the problem asked for.
     path_is_current: bool,
-    /// The first request with the robot and the obstacles last asked for.
+    /// Counts the robots and obstacles asked for.
     course: u64,
     /// The first request after the last start from the straight robot.
     start: u64,
@@ -76,15 +76,17 @@ impl Live {
     pub fn ask(&mut self, problem: &Problem, from: StartFrom, span: (f64, f64)) {
         if !self.asked.differs_in_pull_only(problem) {
             self.path_is_current = false;
-            self.course = self.generation + 1;
+            self.course += 1;
         }
         self.generation += 1;
         if from == StartFrom::Straight {
             self.start = self.generation;
+            self.leap = None;
         }
         self.asked.clone_from(problem);
         self.backend.submit(Request {
             generation: self.generation,
+            course: self.course,
             problem: problem.clone(),
             from,
             span,
@@ -98,19 +100,22 @@ impl Live {
             match found.update {
                 Update::Shape(shape) => {
                     // An answer to an older request shows less than what is
-                    // known already.
+                    // known already, and one from before the last start is of
+                    // another robot.
                     let newest = self.shape.as_ref().map_or(0, |known| known.generation);
-                    if shape.generation > newest {
-                        self.leap = self.leap_to(&shape.solution, newest);
+                    if shape.generation > newest && shape.generation >= self.start {
+                        // Of several answers in one frame each may be a leap.
+                        let leap = self.leap_to(&shape.solution, newest);
+                        self.leap = leap.or(self.leap.take());
                         self.shape = Some(*shape);
                         self.time = found.time;
                         news = true;
                     }
                 }
-                Update::Path { generation, path } => {
+                Update::Path { course, path } => {
                     self.path = Some(Arc::from(path));
                     self.path_revision += 1;
-                    self.path_is_current = generation >= self.course;
+                    self.path_is_current = course == self.course;
                     news = true;
                 }
             }
@@ -218,5 +223,139 @@ impl Live {
     /// Counts the changes of [`Live::drawing`].
     pub fn revision(&self) -> u64 {
         self.revision
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::backend::{Found, Thread};
+    use super::*;
+    use crate::scene::Scene;
+    use crate::solving::{Job, Work};
+    use std::cell::RefCell;
+    use std::collections::VecDeque;
+    use std::rc::Rc;
+    use std::sync::mpsc::{Receiver, channel};
+
+    const SPAN: (f64, f64) = (0.0, 0.012);
+
+    fn problem(edit: impl FnOnce(&mut Scene)) -> Problem {
+        let text = include_str!("../../assets/scenes/one-disc.toml");
+        let mut scene = Scene::from_toml(text).unwrap();
+        edit(&mut scene);
+        Problem::new(&scene).unwrap()
+    }
+
+    fn pulled(pull_mm: f64) -> Problem {
+        problem(|scene| scene.actuation.pull_mm = pull_mm)
+    }
+
+    fn longer() -> Problem {
+        problem(|scene| scene.robot.length_mm += 10.0)
+    }
+
+    /// A thread, and a word from it for each thing that it has found and when
+    /// it has nothing left to do.
+    fn thread() -> (Box<Thread>, Receiver<()>) {
+        let (sender, words) = channel();
+        let thread = Thread::new(move || {
+            let _ = sender.send(());
+        });
+        (Box::new(thread.unwrap()), words)
+    }
+
+    fn hear(words: &Receiver<()>, count: usize) {
+        for _ in 0..count {
+            words.recv().unwrap();
+        }
+    }
+
+    #[test]
+    fn a_path_that_was_found_before_the_next_request_is_shown() {
+        let (thread, words) = thread();
+        let mut live = Live::new(thread, &pulled(4.0), SPAN, &Notes::default());
+        // Its shape, its path, and the end of its work.
+        hear(&words, 3);
+        live.ask(&pulled(4.5), StartFrom::Last, SPAN);
+        // The same path holds: a shape, and the end.
+        hear(&words, 2);
+        assert!(live.poll());
+        assert!(live.is_settled() && live.path_is_current());
+        assert!(!live.path().unwrap().states.is_empty());
+    }
+
+    /// A backend that takes the newest request when it is let, so that others
+    /// are replaced unseen.
+    #[derive(Default)]
+    struct Late {
+        request: Option<Request>,
+        found: VecDeque<Found>,
+        job: Job,
+    }
+
+    impl Late {
+        fn solve(&mut self) {
+            if let Some(request) = self.request.take() {
+                self.job.take(request);
+            }
+            loop {
+                match self.job.work() {
+                    Work::More => {}
+                    Work::Done => return,
+                    Work::Found(update) => {
+                        let time = Duration::ZERO;
+                        self.found.push_back(Found { update, time });
+                    }
+                }
+            }
+        }
+    }
+
+    impl SolverBackend for Rc<RefCell<Late>> {
+        fn submit(&mut self, request: Request) {
+            self.borrow_mut().request = Some(request);
+        }
+
+        fn poll(&mut self) -> Option<Found> {
+            self.borrow_mut().found.pop_front()
+        }
+
+        fn wants_frames(&self) -> bool {
+            true
+        }
+    }
+
+    /// A window's robot that is solved and not yet looked at.
+    fn late() -> (Live, Rc<RefCell<Late>>) {
+        let late = Rc::new(RefCell::new(Late::default()));
+        let backend = Box::new(Rc::clone(&late));
+        let live = Live::new(backend, &pulled(4.0), SPAN, &Notes::default());
+        late.borrow_mut().solve();
+        (live, late)
+    }
+
+    #[test]
+    fn a_robot_that_was_another_for_a_moment_has_its_path() {
+        let (mut live, late) = late();
+        live.poll();
+        assert!(live.path_is_current());
+        live.ask(&longer(), StartFrom::Last, SPAN);
+        assert!(!live.path_is_current());
+        live.ask(&pulled(4.0), StartFrom::Last, SPAN);
+        late.borrow_mut().solve();
+        live.poll();
+        assert!(live.is_settled() && live.path_is_current());
+        assert_eq!(live.path().unwrap().length, pulled(4.0).length());
+    }
+
+    #[test]
+    fn an_answer_from_before_the_last_start_is_not_shown() {
+        let (mut live, late) = late();
+        live.ask(&longer(), StartFrom::Straight, SPAN);
+        live.poll();
+        assert!(live.shape().is_none());
+        late.borrow_mut().solve();
+        live.poll();
+        assert!(live.is_settled());
     }
 }

@@ -14,6 +14,8 @@ pub mod dock;
 mod document;
 pub mod examples;
 pub mod files;
+#[cfg(not(target_arch = "wasm32"))]
+mod fit;
 mod history;
 pub mod link;
 mod live;
@@ -43,7 +45,7 @@ pub use state::{Hovered, Preferences, Selection, State, Views};
 use crate::scene::Scene;
 use backend::SolverBackend;
 use eframe::egui::{self, Context, Ui};
-use files::autosave::Stored;
+use files::autosave::{Stored, Unsaved};
 use notices::Notice;
 use platform::Platform;
 use std::path::PathBuf;
@@ -54,6 +56,8 @@ const FIRST: &str = include_str!("../../assets/scenes/two-discs.toml");
 /// The window's contents.
 pub struct Sinew {
     state: State,
+    #[cfg(not(target_arch = "wasm32"))]
+    fit: fit::Fit,
 }
 
 impl Sinew {
@@ -77,6 +81,8 @@ impl Sinew {
         let document = Document::new(scene)?;
         Ok(Self {
             state: State::new(document, backend, preferences),
+            #[cfg(not(target_arch = "wasm32"))]
+            fit: fit::Fit::default(),
         })
     }
 
@@ -85,9 +91,9 @@ impl Sinew {
     pub fn on(mut self, platform: Box<dyn Platform>, stored: Stored) -> Self {
         let state = &mut self.state;
         state.files.platform = platform;
+        state.files.unsaved = Unsaved::left(&mut *state.files.platform);
         state.preferences = stored.preferences;
         state.files.recent = stored.recent;
-        state.files.unsaved = stored.unsaved;
         if let (Some(dock), Some(arrangement)) = (&mut state.dock, stored.dock) {
             dock.arrange(arrangement);
         }
@@ -169,8 +175,10 @@ impl Sinew {
 }
 
 impl eframe::App for Sinew {
-    fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
+    fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         self.before_frame(ctx);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.fit.look(ctx, frame);
     }
 
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
@@ -181,6 +189,7 @@ impl eframe::App for Sinew {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        files::autosave::keep(&mut self.state);
         files::autosave::store(&self.state, storage);
     }
 

@@ -6,7 +6,7 @@ use super::look::{Tokens, semibold, theme_of};
 use super::state::State;
 use crate::equilibrium::Solution;
 use crate::geometry::Vector;
-use crate::render::{Camera, Mesh, RobotSizes, mesh, solid_callback};
+use crate::render::{Camera, Mesh, mesh, solid_callback};
 use crate::view::{LabelText, Spot, Theme};
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
@@ -84,17 +84,10 @@ fn solids(state: &mut State, theme: Theme) -> Arc<Mesh> {
     {
         return Arc::clone(&built.mesh);
     }
-    let sizes = RobotSizes::of(&state.document.scene.robot);
     let nothing = Solution::default();
     let solution = state.live.solution().unwrap_or(&nothing);
     let standing = &state.live.drawing().standing;
-    let mesh = Arc::new(mesh(
-        state.live.problem(),
-        solution,
-        &sizes,
-        theme,
-        standing,
-    ));
+    let mesh = Arc::new(mesh(state.live.problem(), solution, theme, standing));
     state.space.built = Some(Built {
         revision,
         theme,

@@ -170,6 +170,9 @@ pub struct Refusal {
 pub struct State {
     /// The scene.
     pub document: Document,
+    /// Counts the documents that were opened: what was asked or begun for one
+    /// is not for the next.
+    pub opened: u64,
     /// Its past.
     pub history: History,
     /// Its solution.
@@ -220,6 +223,7 @@ impl State {
             history: History::new(&document.scene),
             live: Live::new(backend, document.problem(), span(&document), &notes),
             document,
+            opened: 0,
             selection: Selection::Nothing,
             hovered: Hovered::Nothing,
             hovering: Hovered::Nothing,
@@ -246,6 +250,7 @@ impl State {
     /// When the scene cannot be solved: its faults. The present one stays.
     pub fn open(&mut self, scene: Scene) -> Result<(), Vec<SceneError>> {
         self.document = Document::new(scene)?;
+        self.opened += 1;
         self.selection = Selection::Nothing;
         self.transport.stop();
         self.canvas.fit_soon();

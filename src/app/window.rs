@@ -16,6 +16,8 @@ use web_time::Duration;
 /// What the headless commands are, for machines that have no display.
 const HEADLESS: &str = "without one there are the commands `sinew solve`, `draw`, `force`, \
                         `compare` and `reproduce` (see `sinew help`)";
+/// What the system knows the program by.
+const APP_ID: &str = "sinew";
 /// Where nothing gives a thread, the window solves in slices of this length
 /// between its frames.
 const SLICE: Duration = Duration::from_millis(4);
@@ -61,7 +63,7 @@ pub fn open(opening: &Opening) -> ExitCode {
         return ExitCode::from(1);
     }
     let viewport = ViewportBuilder::default()
-        .with_app_id("sinew")
+        .with_app_id(APP_ID)
         .with_inner_size(vec2(1440.0, 900.0))
         .with_min_inner_size(vec2(360.0, 480.0));
     let options = eframe::NativeOptions {
@@ -79,7 +81,8 @@ pub fn open(opening: &Opening) -> ExitCode {
             let stored = Stored::of(cc.storage);
             let window = Sinew::new(&cc.egui_ctx, scene, backend, Preferences::default());
             let window = window.map_err(|faults| faults_of(&faults).join(" "))?;
-            let window = window.on(Box::new(Native::new(&cc.egui_ctx)), stored);
+            let desktop = Native::new(&cc.egui_ctx, eframe::storage_dir(APP_ID));
+            let window = window.on(Box::new(desktop), stored);
             Ok(Box::new(match file {
                 Some(file) => window.from_file(file),
                 None => window,

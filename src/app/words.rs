@@ -6,7 +6,7 @@ use crate::equilibrium::{Conflict, Event, Occurrence, Solution, Status};
 use crate::model::Line;
 use crate::scene::{Obstacle, Scene, SceneError, Shape};
 use crate::units::millimetres;
-use crate::view::Quantity;
+use crate::view::{Quantity, reason};
 
 /// An obstacle's name or, where it has none, its shape and its place in the
 /// list, from 1.
@@ -152,7 +152,7 @@ pub fn outcome(solution: &Solution, scene: &Scene) -> String {
                 all.join(", ")
             )
         }
-        status => sentence(&status.reason()),
+        _ => sentence(&reason(solution)),
     }
 }
 

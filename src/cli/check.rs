@@ -4,9 +4,9 @@
 use std::io::{self, Write};
 
 use super::arguments::Check;
-use super::input;
 use super::output::{printable, reader};
 use super::{Failure, Outcome};
+use super::{compare, input};
 use crate::model::Problem;
 use crate::scene::limits::shown;
 use crate::scene::{Candidates, Scene};
@@ -17,6 +17,8 @@ const NAMED: usize = 8;
 
 pub(super) fn run(what: &Check) -> Result<Outcome, Failure> {
     let (scene, problem) = input::problem(&what.scene, None)?;
+    // What `compare` would refuse is a fault, too.
+    compare::held(&scene, &problem, &input::origin(&what.scene))?;
     let text = summary(&scene, &problem);
     reader(writeln!(io::stdout().lock(), "{text}"))?;
     Ok(Outcome::Done)

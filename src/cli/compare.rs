@@ -28,7 +28,10 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
     let (scene, problem) = input::problem(&what.scene, what.pull)?;
     let measured = match &what.measured {
         Some(path) => tables::measured(path, &problem)?,
-        None => held(&scene, &problem, &input::origin(&what.scene))?,
+        None => {
+            let origin = input::origin(&what.scene);
+            held(&scene, &problem, &origin)?.ok_or_else(|| none_held(&origin))?
+        }
     };
     let (problem, solution, fit) = match what.pull {
         Some(_) => {
@@ -65,16 +68,24 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-/// The measured backbone that the scene itself holds.
-fn held(scene: &Scene, problem: &Problem, origin: &str) -> Result<Measured, BadInput> {
-    match &scene.measured {
-        Some(held) if !held.points_mm.is_empty() => Measured::of_scene(held, problem)
-            .map_err(|fault| BadInput::Arguments(format!("{origin}: measured.points_mm: {fault}"))),
-        _ => Err(BadInput::Arguments(format!(
-            "{origin}: the scene holds no measured backbone; name a CSV file of one, or add \
-             measured.points_mm"
-        ))),
-    }
+/// The measured backbone that the scene itself holds, if any.
+pub(super) fn held(
+    scene: &Scene,
+    problem: &Problem,
+    origin: &str,
+) -> Result<Option<Measured>, BadInput> {
+    let held = scene.measured.as_ref();
+    let held = held.filter(|held| !held.points_mm.is_empty());
+    held.map(|held| Measured::of_scene(held, problem))
+        .transpose()
+        .map_err(|fault| BadInput::Arguments(format!("{origin}: measured.points_mm: {fault}")))
+}
+
+fn none_held(origin: &str) -> BadInput {
+    BadInput::Arguments(format!(
+        "{origin}: the scene holds no measured backbone; name a CSV file of one, or add \
+         measured.points_mm"
+    ))
 }
 
 const SCHEMA: &str = "sinew-compare-1";

@@ -8,6 +8,7 @@ use crate::equilibrium::{Run, Settings, Solution, Start, Status, solve};
 use crate::geometry::Vector;
 use crate::model::Problem;
 use crate::scene::Measurements;
+use crate::scene::limits::LEAST_MEASURED_POINTS;
 use crate::units::{metres, millimetres};
 use std::f64::consts::TAU;
 
@@ -36,7 +37,7 @@ pub enum MeasuredFault {
     Empty,
     /// Too few points.
     #[error(
-        "there are only {0} measured points, which no shape can be told from; give at least {least}",
+        "there is only {0} of the at least {least} measured points that a comparison needs; add some",
         least = Measured::LEAST_POINTS
     )]
     TooFew(usize),
@@ -137,8 +138,9 @@ const STEP: f64 = 1.0 / 16.0;
 const GRAIN: f64 = 1e-9;
 
 impl Measured {
-    /// The fewest points that tell one shape from another.
-    pub const LEAST_POINTS: usize = 3;
+    /// The fewest points that are compared, those of a scene's check: two may
+    /// be a point on the way and the tip.
+    pub const LEAST_POINTS: usize = LEAST_MEASURED_POINTS;
 
     /// Measured points, checked against the robot that they belong to.
     ///

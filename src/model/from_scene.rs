@@ -3,6 +3,7 @@
 use super::candidate::{Candidate, Element, Joins, Line};
 use super::node::PlanarNode;
 use super::problem::{Problem, Robot};
+use super::sizes::Sizes;
 use crate::geometry::{Core, Edge, Obstacle, Vector};
 use crate::scene::{self, Candidates, Scene, SceneError, Shape, limits::shown};
 use crate::units::{metres, millimetres, radians};
@@ -97,6 +98,7 @@ fn robot(described: &scene::Robot) -> Robot {
         segments: described.segments as usize,
         segments_per_bay: described.segments_per_bay as usize,
         offset: metres(described.cable_offset_mm),
+        sizes: Sizes::of(described),
         base: PlanarNode {
             position: point(described.base_mm),
             disk: Vector::new(libm::cos(angle), libm::sin(angle)),
@@ -180,27 +182,30 @@ fn candidates(scene: &Scene, robot: &Robot) -> Vec<Candidate> {
             });
             listed.collect()
         }
-        Candidates::Body => nodes.flat_map(|i| body(scene, robot, i)).collect(),
+        Candidates::Body => nodes.flat_map(|i| body(robot, i)).collect(),
     }
 }
 
 /// Everything solid between a node and the one before: both links, and the
 /// node's disk where it has one.
-fn body(scene: &Scene, robot: &Robot, node: usize) -> Vec<Candidate> {
-    let described = &scene.robot;
-    let backbone = metres(0.5 * described.backbone_diameter_mm);
-    let cable = metres(0.5 * described.cable_diameter_mm);
-    let disk = metres(0.5 * described.disk_thickness_mm);
-    let rim = metres(described.rim_mm());
-    let part = |line, element, radius| Candidate {
+fn body(robot: &Robot, node: usize) -> Vec<Candidate> {
+    let Sizes {
+        rim,
+        disk,
+        backbone,
+        cable,
+    } = robot.sizes;
+    // At the cable, and no thicker than it.
+    let rim_is_joint = rim <= robot.offset && disk <= cable;
+    let part = |line, element, thickness: f64| Candidate {
         line,
         node,
         element,
-        radius,
+        radius: 0.5 * thickness,
         joins: match line {
             Line::Backbone | Line::Cable => Joins::Links,
             Line::RimFarSide => Joins::Disk,
-            Line::RimCableSide if rim <= robot.offset && disk <= cable => Joins::Links,
+            Line::RimCableSide if rim_is_joint => Joins::Links,
             Line::RimCableSide => Joins::Disk,
             Line::BackboneLink | Line::CableLink | Line::Disk => Joins::Nothing,
         },
@@ -229,9 +234,8 @@ fn covers_base(robot: &Robot, scene: &Scene, obstacle: &Obstacle) -> bool {
         Candidates::Listed => return false,
         Candidates::Nodes => (base.position, base.at(robot.offset), 0.0),
         Candidates::Body => {
-            let rim = metres(scene.robot.rim_mm());
-            let thickness = metres(0.5 * scene.robot.disk_thickness_mm);
-            (base.at(-rim), base.at(rim), thickness)
+            let Sizes { rim, disk, .. } = robot.sizes;
+            (base.at(-rim), base.at(rim), 0.5 * disk)
         }
     };
     let mut covered = [start, end]

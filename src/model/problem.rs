@@ -4,6 +4,7 @@ use super::candidate::{Candidate, DiskPoint, Element};
 use super::four_bar::FourBar;
 use super::node::PlanarNode;
 use super::rows;
+use super::sizes::Sizes;
 use crate::geometry::{Obstacle, Vector, perpendicular};
 use crate::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State};
 use nalgebra::{SMatrix, matrix, vector};
@@ -23,6 +24,8 @@ pub struct Robot {
     pub segments_per_bay: usize,
     /// The cable offset a.
     pub offset: f64,
+    /// How thick its parts are.
+    pub sizes: Sizes,
     /// Where the robot starts, and how its first disk points (0 for a robot
     /// that rises along +y).
     pub base: PlanarNode,
@@ -32,6 +35,13 @@ impl Robot {
     /// Whether a node carries a disk.
     pub fn has_disk(&self, node: usize) -> bool {
         node.is_multiple_of(self.segments_per_bay)
+    }
+
+    /// Whether another robot moves like this one where the same parts may
+    /// touch: whether it is this one but for its sizes.
+    pub fn moves_like(&self, other: &Self) -> bool {
+        let sizes = self.sizes;
+        *self == Self { sizes, ..*other }
     }
 
     /// The pulls for which a linkage exists, in metres, ends included.
@@ -196,7 +206,7 @@ impl Problem {
     /// Whether the same robot meets obstacles of the same kinds in both, so
     /// that one can be moved into the other.
     pub fn resembles(&self, other: &Self) -> bool {
-        self.robot == other.robot
+        self.robot.moves_like(&other.robot)
             && self.same_candidates(other)
             && self.obstacles.len() == other.obstacles.len()
             && self
@@ -206,10 +216,11 @@ impl Problem {
                 .all(|(a, b)| a.resembles(b))
     }
 
-    /// Whether another problem is this one but for the pull.
+    /// Whether another problem is this one but for the pull and for sizes that
+    /// touch nothing.
     pub fn differs_in_pull_only(&self, other: &Self) -> bool {
         let mut pairs = self.obstacles.iter().zip(&other.obstacles);
-        self.robot == other.robot
+        self.robot.moves_like(&other.robot)
             && self.same_candidates(other)
             && self.obstacles.len() == other.obstacles.len()
             && pairs.all(|(a, b)| a.resembles(b) && a.change(b) == 0.0)

@@ -24,5 +24,5 @@ pub use callbacks::{field_callback, install, solid_callback};
 pub use camera::Camera;
 pub use field::{FieldOutput, FieldPass, FieldPicture, contour_spacing};
 pub use mesh::{Bounds3, Mesh, Triangles, Vertex};
-pub use robot::{RobotSizes, mesh};
+pub use robot::mesh;
 pub use solid::{SolidPass, SolidPicture};

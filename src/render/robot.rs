@@ -7,10 +7,8 @@ use super::outline::{self, Corner};
 use super::plate::{Plate, Template};
 use crate::equilibrium::{Class, Contact, Solution};
 use crate::geometry::{Core, Obstacle, Vector};
-use crate::model::{Line, PlanarNode, Problem};
-use crate::scene;
-use crate::units::metres;
-use crate::view::{Bounds, Colour, Role, Standing, Theme};
+use crate::model::{PlanarNode, Problem, Robot};
+use crate::view::{Bounds, Colour, Role, Shares, Standing, Theme};
 use nalgebra::Vector3;
 use std::f32::consts::FRAC_PI_2;
 
@@ -23,40 +21,36 @@ const NEAR: f64 = 0.22;
 /// How thick a wall is drawn.
 const WALL: f64 = 0.05;
 
-/// How thick the parts of the robot are, in metres. A scene may leave them at
-/// zero; then they are as thin as can still be seen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RobotSizes {
+/// How thick the parts are drawn, in metres: as they are or, where a scene
+/// leaves them at zero, as thin as can still be seen.
+struct Drawn {
     /// Radius of the disks' rim.
-    pub rim: f64,
+    rim: f64,
     /// Thickness of a disk.
-    pub disk: f64,
+    disk: f64,
     /// Radius of the backbone.
-    pub backbone: f64,
+    backbone: f64,
     /// Radius of the cable.
-    pub cable: f64,
+    cable: f64,
 }
 
-impl RobotSizes {
-    /// The sizes of a scene's robot.
-    pub fn of(robot: &scene::Robot) -> Self {
-        let length = metres(robot.length_mm);
-        let offset = metres(robot.cable_offset_mm);
-        let bay = length * f64::from(robot.segments_per_bay) / f64::from(robot.segments.max(1));
+impl Drawn {
+    fn of(robot: &Robot) -> Self {
+        let bay = robot.length * robot.segments_per_bay as f64 / robot.segments.max(1) as f64;
         // Thick enough to see, and no thicker than there is room for.
-        let visible = |given_mm: f64, share: f64, room: f64| {
-            let given = metres(given_mm);
+        let visible = |given: f64, share: f64, room: f64| {
             if given > 0.0 {
                 given
             } else {
-                (share * length).min(room)
+                (share * robot.length).min(room)
             }
         };
+        let (sizes, offset) = (&robot.sizes, robot.offset);
         Self {
-            rim: metres(robot.rim_mm()),
-            disk: visible(robot.disk_thickness_mm, 0.0095, 0.4 * bay),
-            backbone: visible(0.5 * robot.backbone_diameter_mm, 0.0062, 0.3 * offset),
-            cable: visible(0.5 * robot.cable_diameter_mm, 0.0030, 0.2 * offset),
+            rim: sizes.rim,
+            disk: visible(sizes.disk, 0.0095, 0.4 * bay),
+            backbone: visible(0.5 * sizes.backbone, 0.0062, 0.3 * offset),
+            cable: visible(0.5 * sizes.cable, 0.0030, 0.2 * offset),
         }
     }
 }
@@ -100,13 +94,8 @@ impl Materials {
 }
 
 /// The solids of a solution. One without nodes shows the obstacles alone.
-pub fn mesh(
-    problem: &Problem,
-    solution: &Solution,
-    sizes: &RobotSizes,
-    theme: Theme,
-    standing: &Standing,
-) -> Mesh {
+pub fn mesh(problem: &Problem, solution: &Solution, theme: Theme, standing: &Standing) -> Mesh {
+    let sizes = &Drawn::of(problem.robot());
     let base = problem.robot().base.position;
     let nodes = &solution.nodes[..];
     let length = problem.length();
@@ -120,22 +109,8 @@ pub fn mesh(
     let materials = Materials::of(theme, standing);
     let origin = around.centre();
     let flat = |v: Vector| Flat::new((v.x - origin.x) as f32, (v.y - origin.y) as f32);
-    let most = solution.contacts.iter().map(|c| c.multiplier);
-    let most = most.fold(0.0, f64::max);
-    let share = |contact: &Contact| {
-        if most > 0.0 {
-            (contact.multiplier / most).clamp(0.0, 1.0)
-        } else {
-            0.0
-        }
-    };
-    let pressed = |index: usize| {
-        let touching = solution.contacts.iter().filter(|c| {
-            let on_link = matches!(c.line, Line::BackboneLink | Line::CableLink);
-            c.node == index && !on_link && c.class == Class::Pressing
-        });
-        touching.map(share).reduce(f64::max)
-    };
+    let shares = Shares::of(solution);
+    let share = |contact: &Contact| shares.contact(contact);
 
     let mut solids = Triangles::default();
     let mut shown = robot;
@@ -167,7 +142,7 @@ pub fn mesh(
     }
     add_disks(&mut solids, problem, nodes, sizes, flat, |index| {
         let colour = |share| theme.contact(share);
-        match pressed(index) {
+        match shares.disk(index) {
             Some(share) if !standing.is_greyed() => glowing(colour(share), share),
             _ => materials.disk,
         }
@@ -273,7 +248,7 @@ struct Block {
     reach: f64,
 }
 
-fn base_block(base: &PlanarNode, next: &PlanarNode, sizes: &RobotSizes) -> Block {
+fn base_block(base: &PlanarNode, next: &PlanarNode, sizes: &Drawn) -> Block {
     // Behind the base, whichever way the robot leaves it.
     let normal = base.normal();
     let into = -normal * normal.dot(&(next.position - base.position)).signum();
@@ -291,7 +266,7 @@ fn add_disks(
     solids: &mut Triangles,
     problem: &Problem,
     nodes: &[PlanarNode],
-    sizes: &RobotSizes,
+    sizes: &Drawn,
     flat: impl Fn(Vector) -> Flat,
     material: impl Fn(usize) -> Material,
 ) {
@@ -392,104 +367,4 @@ fn add_arrow(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::equilibrium::{Settings, Start, solve};
-    use crate::scene::Scene;
-
-    const TWO_DISCS: &str = include_str!("../../assets/scenes/two-discs.toml");
-
-    fn greyed() -> Standing {
-        Standing::Greyed {
-            what: "Unfinished",
-            reason: String::new(),
-        }
-    }
-
-    fn built(edit: impl Fn(&mut Scene), theme: Theme, standing: &Standing) -> (Solution, Mesh) {
-        let mut scene = Scene::from_toml(TWO_DISCS).unwrap();
-        edit(&mut scene);
-        let problem = Problem::new(&scene).unwrap();
-        let solution = solve(&problem, Start::Straight, Settings::default());
-        let sizes = RobotSizes::of(&scene.robot);
-        let mesh = mesh(&problem, &solution, &sizes, theme, standing);
-        (solution, mesh)
-    }
-
-    #[test]
-    fn every_corner_can_be_drawn() {
-        let (_, mesh) = built(|_| (), Theme::Light, &Standing::Certified);
-        mesh.solids.check();
-        mesh.overlay.check();
-        assert_eq!(mesh.glows.len(), 12);
-        let box3 = &mesh.focus;
-        assert!(box3.least.x < 0.0 && box3.most.y > 0.17, "{box3:?}");
-    }
-
-    /// Far from the world's origin nothing loses its digits.
-    #[test]
-    fn a_robot_elsewhere_is_the_same_robot() {
-        let elsewhere = |scene: &mut Scene| {
-            scene.robot.base_mm = [1e5, -2e5];
-            for obstacle in &mut scene.obstacles {
-                if let scene::Shape::Disc { center_mm, .. } = &mut obstacle.shape {
-                    center_mm[0] += 1e5;
-                    center_mm[1] -= 2e5;
-                }
-            }
-        };
-        let (_, here) = built(|_| (), Theme::Light, &Standing::Certified);
-        let (_, there) = built(elsewhere, Theme::Light, &Standing::Certified);
-        assert_eq!(here.solids.indices, there.solids.indices);
-        for (a, b) in here.solids.vertices.iter().zip(&there.solids.vertices) {
-            let off = Point::from(a.position) - Point::from(b.position);
-            assert!(off.norm() < 1e-7, "{off}");
-        }
-    }
-
-    /// The disks at the two contacts have the contacts' colours; of a shape
-    /// that is not believed nothing shines.
-    #[test]
-    fn pressing_disks_shine() {
-        for theme in [Theme::Light, Theme::Dark] {
-            let (solution, mesh) = built(|_| (), theme, &Standing::Certified);
-            let most = solution.contacts.iter().map(|c| c.multiplier);
-            let most = most.fold(0.0, f64::max);
-            for contact in &solution.contacts {
-                let [red, green, blue] = theme.contact(contact.multiplier / most).rgb;
-                let node = &solution.nodes[contact.node];
-                let centre = node.position - mesh.origin.xy();
-                let shining: Vec<&_> = mesh
-                    .solids
-                    .vertices
-                    .iter()
-                    .filter(|v| v.finish[0] > 50 && v.colour == [red, green, blue, 255])
-                    .collect();
-                assert!(shining.len() > 100, "{} corners", shining.len());
-                for v in shining {
-                    let away = Vector::new(f64::from(v.position[0]), f64::from(v.position[1]));
-                    assert!((away - centre).norm() < 0.009);
-                }
-            }
-            let (_, mesh) = built(|_| (), theme, &greyed());
-            let all = mesh.solids.vertices.iter().chain(&mesh.overlay.vertices);
-            assert!(mesh.glows.is_empty() && all.into_iter().all(|v| v.finish[0] == 0));
-        }
-    }
-
-    #[test]
-    fn a_solution_without_nodes_shows_the_obstacles() {
-        let scene = Scene::from_toml(TWO_DISCS).unwrap();
-        let problem = Problem::new(&scene).unwrap();
-        let sizes = RobotSizes::of(&scene.robot);
-        let mesh = mesh(
-            &problem,
-            &Solution::default(),
-            &sizes,
-            Theme::Dark,
-            &greyed(),
-        );
-        mesh.solids.check();
-        assert!(!mesh.solids.indices.is_empty() && !mesh.focus.is_empty());
-    }
-}
+mod tests;

@@ -4,7 +4,6 @@ use super::{Request, Shape, StartFrom, Update};
 use crate::equilibrium::{Progress, Run, Settings, Start};
 use crate::explore::PathRun;
 use crate::forces::Sweep;
-use crate::model::Problem;
 
 /// Iterations between two looks at whether a newer request has come: about
 /// 0.1 ms for the paper's robot.
@@ -29,24 +28,10 @@ pub struct Job {
     run: Option<Run>,
     /// The request whose shape is being solved.
     request: Option<Request>,
-    /// What the newest path belongs to …
-    course: Option<Course>,
+    /// The course and the span that the newest path belongs to …
+    course: Option<(u64, (f64, f64))>,
     /// … and that path, as long as it is being followed.
     path: Option<PathRun>,
-}
-
-/// All that a path depends on.
-#[derive(Debug)]
-struct Course {
-    generation: u64,
-    problem: Problem,
-    span: (f64, f64),
-}
-
-impl Course {
-    fn is_that_of(&self, request: &Request) -> bool {
-        self.span == request.span && self.problem.differs_in_pull_only(&request.problem)
-    }
 }
 
 impl Job {
@@ -59,15 +44,12 @@ impl Job {
                 *run = Some(Run::new(&request.problem, Start::Straight, settings));
             }
         }
-        if !self.course.as_ref().is_some_and(|c| c.is_that_of(&request)) {
+        let course = Some((request.course, request.span));
+        if self.course != course {
             let (first, last) = request.span;
             let pulls = Sweep::pulls(first, last, STATES);
             self.path = Some(PathRun::new(&request.problem, pulls));
-            self.course = Some(Course {
-                generation: request.generation,
-                problem: request.problem.clone(),
-                span: request.span,
-            });
+            self.course = course;
         }
         self.request = Some(request);
     }
@@ -99,7 +81,7 @@ impl Job {
     }
 
     fn follow(&mut self) -> Work {
-        let (Some(mut run), Some(course)) = (self.path.take(), &self.course) else {
+        let (Some(mut run), Some((course, _))) = (self.path.take(), self.course) else {
             return Work::Done;
         };
         match run.advance(SLICE) {
@@ -108,7 +90,7 @@ impl Job {
                 Work::More
             }
             Progress::Done => Work::Found(Update::Path {
-                generation: course.generation,
+                course,
                 path: Box::new(run.finish()),
             }),
         }

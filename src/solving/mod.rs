@@ -23,6 +23,9 @@ use serde::{Deserialize, Serialize};
 pub struct Request {
     /// Counts the requests; a later one replaces all before it.
     pub generation: u64,
+    /// Counts what paths belong to: later requests with the same number differ
+    /// in their pulls only, and share a path where they share the span.
+    pub course: u64,
     /// The robot, its obstacles and its pull.
     pub problem: Problem,
     /// What the solve starts from.
@@ -46,10 +49,10 @@ pub enum Update {
     /// The robot's shape; soon after the request.
     Shape(Box<Shape>),
     /// What the robot does along its pull; when there is nothing more urgent,
-    /// and only where anything but the pull has changed.
+    /// and once for all requests that share it.
     Path {
-        /// The request from which on it holds.
-        generation: u64,
+        /// The course of the requests that it belongs to.
+        course: u64,
         /// From the straight robot over the request's span.
         path: Box<Path>,
     },

@@ -51,6 +51,7 @@ mod tests {
         let scene = Scene::from_toml(include_str!("../../assets/scenes/shapes.toml")).unwrap();
         Request {
             generation: 7,
+            course: 3,
             problem: Problem::new(&scene).unwrap(),
             from: StartFrom::Straight,
             span: (0.0, 0.012),

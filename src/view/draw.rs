@@ -2,15 +2,15 @@
 //! in the world; colours are [`super::Theme`]'s business.
 
 use super::bounds::Bounds;
-use super::drawing::{
-    Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Most, Role, Spot, Standing,
-};
+use super::drawing::{Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Most, Role, Spot};
+use super::outcome::standing;
 use super::path::{Outline, Path, clip_half_plane, hatching, outline};
 use super::quantity::{Quantity, one_two_five};
-use crate::equilibrium::{Certificate, Class, Contact, Solution, Status};
+use super::shares::Shares;
+use crate::equilibrium::{Class, Contact, Solution};
 use crate::forces::Stiffness;
 use crate::geometry::Vector;
-use crate::model::{Element, Line, PlanarNode, Problem};
+use crate::model::{PlanarNode, Problem, Sizes};
 use crate::scene::Scene;
 use crate::units::{METRES_PER_MM, degrees, grams, millimetres};
 
@@ -57,16 +57,10 @@ impl Notes {
 /// alone.
 pub fn draw(problem: &Problem, solution: &Solution, notes: &Notes) -> Drawing {
     let nodes = &solution.nodes[..];
-    let sizes = Sizes::of(problem);
-    let most = solution.contacts.iter().map(|c| c.multiplier);
-    let most = most.fold(0.0, f64::max);
-    let share = |contact: &Contact| {
-        if most > 0.0 {
-            (contact.multiplier / most).clamp(0.0, 1.0)
-        } else {
-            0.0
-        }
-    };
+    let sizes = &problem.robot().sizes;
+    let shares = Shares::of(solution);
+    let share = |contact: &Contact| shares.contact(contact);
+    let most = shares.most();
     let mut marks = Vec::new();
     for (index, obstacle) in problem.obstacles().iter().enumerate() {
         let geometry = match outline(obstacle) {
@@ -75,7 +69,7 @@ pub fn draw(problem: &Problem, solution: &Solution, notes: &Notes) -> Drawing {
         };
         marks.push(mark(Role::Obstacle(index), geometry, 0.0));
     }
-    add_base(&mut marks, nodes, &sizes);
+    add_base(&mut marks, nodes, sizes);
     add_path(
         &mut marks,
         Role::TipTrace,
@@ -84,8 +78,7 @@ pub fn draw(problem: &Problem, solution: &Solution, notes: &Notes) -> Drawing {
     );
     for (index, node) in nodes.iter().enumerate() {
         if problem.robot().has_disk(index) {
-            let touching = solution.contacts.iter().filter(|c| touches_disk(c, index));
-            let role = match touching.map(share).reduce(f64::max) {
+            let role = match shares.disk(index) {
                 Some(share) => Role::TouchedDisk(share),
                 None => Role::Disk,
             };
@@ -136,40 +129,6 @@ pub fn draw(problem: &Problem, solution: &Solution, notes: &Notes) -> Drawing {
     }
 }
 
-/// What is known of the robot's thickness, in metres. The problem keeps it in
-/// what may touch, so it is zero where only nodes may.
-struct Sizes {
-    /// Half-length of a disk.
-    rim: f64,
-    disk: f64,
-    cable: f64,
-    backbone: f64,
-}
-
-impl Sizes {
-    fn of(problem: &Problem) -> Self {
-        let mut sizes = Self {
-            rim: problem.robot().offset,
-            disk: 0.0,
-            cable: 0.0,
-            backbone: 0.0,
-        };
-        for candidate in problem.candidates() {
-            let thickness = 2.0 * candidate.radius;
-            match (candidate.line, candidate.element) {
-                (Line::Disk, Element::Across { lever }) => {
-                    sizes.rim = sizes.rim.max(lever);
-                    sizes.disk = sizes.disk.max(thickness);
-                }
-                (Line::CableLink, _) => sizes.cable = sizes.cable.max(thickness),
-                (Line::BackboneLink, _) => sizes.backbone = sizes.backbone.max(thickness),
-                _ => {}
-            }
-        }
-        sizes
-    }
-}
-
 fn mark(role: Role, geometry: Geometry, thickness: f64) -> Mark {
     Mark {
         role,
@@ -204,12 +163,6 @@ fn add_base(marks: &mut Vec<Mark>, nodes: &[PlanarNode], sizes: &Sizes) {
         let stroke = Geometry::Path(Path::line(from, to));
         marks.push(mark(Role::BaseHatch, stroke, 0.0));
     }
-}
-
-/// Whether a contact is on a node's disk, not on a link between nodes.
-fn touches_disk(contact: &Contact, node: usize) -> bool {
-    let on_link = matches!(contact.line, Line::BackboneLink | Line::CableLink);
-    contact.node == node && !on_link
 }
 
 /// The robot, its arrows, and what is near of the obstacles.
@@ -388,40 +341,4 @@ fn note(problem: &Problem) -> Option<String> {
         1..=3 => format!("obstacles keep out only {}", names.join(", ")),
         count => format!("obstacles keep out only {count} nodes"),
     })
-}
-
-fn standing(solution: &Solution) -> Standing {
-    let certificate = &solution.certificate;
-    if solution.status == Status::Converged && certificate.holds() && !solution.nodes.is_empty() {
-        return Standing::Certified;
-    }
-    let what = match &solution.status {
-        Status::Converged => "Not certified",
-        Status::Unfinished => "Unfinished",
-        Status::Infeasible { .. } => "Infeasible",
-        Status::BranchEnded { .. } => "Branch ended",
-        Status::IterationLimit => "Iteration limit",
-        Status::NumericalFailure => "Numerical failure",
-    };
-    let reason = match &solution.status {
-        Status::Converged => format!("not certified: {}", refused(certificate)),
-        status => status.reason(),
-    };
-    Standing::Greyed { what, reason }
-}
-
-/// Why a certificate does not hold.
-fn refused(certificate: &Certificate) -> String {
-    if certificate.residual() > Certificate::BOUND {
-        let residual = Quantity::significant(certificate.residual(), "");
-        let bound = Quantity::significant(Certificate::BOUND, "");
-        format!(
-            "the optimality residual is {}, over {}",
-            residual.digits, bound.digits
-        )
-    } else if !certificate.orientation {
-        "a segment is assembled the wrong way round".to_owned()
-    } else {
-        "the shape is balanced but not a minimum of the energy".to_owned()
-    }
 }

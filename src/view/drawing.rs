@@ -63,8 +63,8 @@ pub enum Role {
     TipTrace,
     /// A disk.
     Disk,
-    /// A disk with a contact; the greatest of its multipliers as a share of
-    /// the greatest of all.
+    /// A disk that presses; the greatest of its multipliers as a share of the
+    /// greatest of all.
     TouchedDisk(f64),
     /// The cable.
     Cable,

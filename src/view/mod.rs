@@ -10,8 +10,10 @@ mod draw;
 mod drawing;
 mod frame;
 mod labels;
+mod outcome;
 mod path;
 mod quantity;
+mod shares;
 mod theme;
 
 pub use bounds::Bounds;
@@ -21,6 +23,8 @@ pub use drawing::{
 };
 pub use frame::Frame;
 pub use labels::{Placed, place_labels, place_labels_beside};
+pub use outcome::{outcome, reason};
 pub use path::{Clipped, Outline, Path, Piece, circle, clip_half_plane, hatching, outline};
 pub use quantity::{Quantity, one_two_five, superscript};
+pub use shares::Shares;
 pub use theme::{Arrowhead, Colour, Palette, Style, Theme};

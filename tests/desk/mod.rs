@@ -1,16 +1,46 @@
-//! A system in memory around a window: files, answers to its dialogs, and what
-//! it stores.
+//! A system in memory around a window: files, answers to its dialogs, what it
+//! stores and what it keeps.
 
 use eframe::egui::{DroppedFile, DroppedFileHandle};
-use sinew::app::platform::{Contents, Destination, Errand, News, Platform};
+use sinew::app::platform::{Contents, Destination, Errand, Left, News, Platform};
 use std::collections::{BTreeMap, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
-/// The files, and what is to happen next. Clones are the same desk.
-#[derive(Clone, Default)]
+/// The files, and what is to happen next. Clones are the same desk, each for a
+/// window of its own.
+#[derive(Default)]
 pub struct Desk {
     inner: Arc<Mutex<Inner>>,
+    /// Which of the clones it is.
+    window: usize,
+}
+
+impl Clone for Desk {
+    fn clone(&self) -> Self {
+        let inner = Arc::clone(&self.inner);
+        let mut locked = inner.lock().unwrap();
+        locked.windows += 1;
+        let window = locked.windows;
+        drop(locked);
+        Self { inner, window }
+    }
+}
+
+/// However a window ends, what it has kept is anybody's.
+impl Drop for Desk {
+    fn drop(&mut self) {
+        for drawer in &mut self.inner.lock().unwrap().drawers {
+            drawer.holder = drawer.holder.filter(|holder| *holder != self.window);
+        }
+    }
+}
+
+/// What a window has kept, and whose it is.
+struct Drawer {
+    owner: usize,
+    holder: Option<usize>,
+    work: String,
 }
 
 #[derive(Default)]
@@ -19,7 +49,13 @@ struct Inner {
     answers: VecDeque<Option<PathBuf>>,
     offered: Vec<String>,
     news: VecDeque<News>,
+    drawers: Vec<Drawer>,
+    windows: usize,
     full: bool,
+    /// Whether dialogs stay open.
+    waiting: bool,
+    /// What waits for their answers.
+    asked: Vec<(Errand, Option<Contents>)>,
 }
 
 impl Desk {
@@ -49,6 +85,32 @@ impl Desk {
     pub fn answer(&self, path: Option<&str>) {
         let answer = path.map(PathBuf::from);
         self.inner.lock().unwrap().answers.push_back(answer);
+    }
+
+    /// From now on dialogs stay open.
+    pub fn take_its_time(&self) {
+        self.inner.lock().unwrap().waiting = true;
+    }
+
+    /// Answers the dialog that has been open longest.
+    pub fn answer_now(&self, path: &str) {
+        let mut inner = self.inner.lock().unwrap();
+        let (errand, contents) = inner.asked.remove(0);
+        match contents {
+            Some(contents) => inner.write(errand, path.into(), contents),
+            None => inner.read(errand, path.into()),
+        }
+    }
+
+    /// How many dialogs are open.
+    pub fn open_dialogs(&self) -> usize {
+        self.inner.lock().unwrap().asked.len()
+    }
+
+    /// Puts something where a window that is gone has kept its work.
+    pub fn leave(&self, work: &str) {
+        let mut window = self.clone();
+        window.keep(Some(work.to_owned()));
     }
 
     /// The names that dialogs have offered for saving.
@@ -92,6 +154,26 @@ impl Inner {
         });
     }
 
+    fn write(&mut self, errand: Errand, path: PathBuf, contents: Contents) {
+        let written = if self.full {
+            Err("the disk is full".to_owned())
+        } else {
+            contents(&path)
+        };
+        let news = match written {
+            Ok(bytes) => {
+                self.files.insert(path.clone(), bytes);
+                News::Written { errand, path }
+            }
+            Err(reason) => News::Failed {
+                errand,
+                path: Some(path),
+                reason,
+            },
+        };
+        self.news.push_back(news);
+    }
+
     fn answered(&mut self, errand: Errand) -> Option<PathBuf> {
         let answer = self.answers.pop_front().expect("a dialog nobody foresaw");
         if answer.is_none() {
@@ -104,7 +186,9 @@ impl Inner {
 impl Platform for Desk {
     fn pick(&mut self, errand: Errand, _folder: Option<&Path>) {
         let mut inner = self.inner.lock().unwrap();
-        if let Some(path) = inner.answered(errand) {
+        if inner.waiting {
+            inner.asked.push((errand, None));
+        } else if let Some(path) = inner.answered(errand) {
             inner.read(errand, path);
         }
     }
@@ -124,33 +208,53 @@ impl Platform for Desk {
             Destination::Known(path) => path,
             Destination::Ask { name, .. } => {
                 inner.offered.push(name);
+                if inner.waiting {
+                    inner.asked.push((errand, Some(contents)));
+                    return;
+                }
                 match inner.answered(errand) {
                     Some(path) => path,
                     None => return,
                 }
             }
         };
-        let written = if inner.full {
-            Err("the disk is full".to_owned())
-        } else {
-            contents(&path)
-        };
-        let news = match written {
-            Ok(bytes) => {
-                inner.files.insert(path.clone(), bytes);
-                News::Written { errand, path }
-            }
-            Err(reason) => News::Failed {
-                errand,
-                path: Some(path),
-                reason,
-            },
-        };
-        inner.news.push_back(news);
+        inner.write(errand, path, contents);
     }
 
     fn work(&mut self, work: Box<dyn FnOnce() + Send>) {
         work();
+    }
+
+    fn keep(&mut self, work: Option<String>) {
+        let mut inner = self.inner.lock().unwrap();
+        inner.drawers.retain(|drawer| drawer.owner != self.window);
+        if let Some(work) = work {
+            let owner = self.window;
+            inner.drawers.push(Drawer {
+                owner,
+                holder: Some(owner),
+                work,
+            });
+        }
+    }
+
+    fn left(&mut self) -> Vec<Left> {
+        let mut inner = self.inner.lock().unwrap();
+        let drawers = inner.drawers.iter_mut().rev();
+        let free = drawers.filter(|drawer| drawer.holder.is_none());
+        free.map(|drawer| {
+            drawer.holder = Some(self.window);
+            Left {
+                drawer: drawer.owner.to_string(),
+                work: drawer.work.clone(),
+            }
+        })
+        .collect()
+    }
+
+    fn forget(&mut self, drawer: &str) {
+        let mut inner = self.inner.lock().unwrap();
+        inner.drawers.retain(|it| it.owner.to_string() != drawer);
     }
 
     fn poll(&mut self) -> Option<News> {

@@ -1,6 +1,7 @@
 // The page around the window: decides what the window may use, loads it, and
 // says what there is to say before its first frame and after its last.
 
+import * as drawers from './drawers.js';
 import start, * as app from './sinew-page.js';
 
 const BYTES = Number('%PAGE_BYTES%');
@@ -36,6 +37,9 @@ globalThis.sinew_page = {
   download_pixels: savePixels,
   decode,
   address: () => location.href.split('#')[0],
+  keep: drawers.keep,
+  left: drawers.left,
+  forget: drawers.forget,
   title: (text) => {
     document.title = text;
   },
@@ -212,6 +216,7 @@ canvas.addEventListener('webglcontextlost', () => {
 if (embedded) leaveWheel();
 if (await canDraw()) {
   try {
+    if (!embedded) await drawers.open();
     await start({ module_or_path: await download() });
     // Only a build for tests has it.
     if (app.sinew_state) globalThis.sinew_test = app;

@@ -107,3 +107,24 @@ test('work that was not saved is offered again', async () => {
     Object.keys(again.widgets).join(', '),
   );
 });
+
+test('two pages keep their own work, and a third offers both', async () => {
+  const context = await site.browser.newContext({ viewport: { width: 1280, height: 800 } });
+  const offers = (state) => Object.keys(state.widgets).some((text) => /restore/i.test(text));
+  const pages = [];
+  for (const index of [0, 1]) {
+    const page = await Page.open(context, site.address);
+    // What another page has open is not offered.
+    assert.ok(!offers(await page.state()));
+    const first = await page.state();
+    const disc = await page.pixel(first.obstacles_mm[index]);
+    await page.drag(disc, { x: disc.x + 60, y: disc.y });
+    await page.until('the disc has moved', (state) => state.settled && state.undo);
+    pages.push(page);
+  }
+  for (const page of pages) await page.tab.close();
+  const third = await Page.open(context, site.address);
+  const kept = await third.inside.evaluate(() => globalThis.sinew_page.left().length);
+  assert.equal(kept, 4, 'the names and the work of two');
+  assert.ok(offers(await third.state()));
+});

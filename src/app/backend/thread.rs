@@ -63,9 +63,8 @@ fn serve(mailbox: &Mailbox, found: impl Fn()) {
             return;
         }
         if let Some(request) = slots.request.take() {
-            // What was found for an older request is of no interest any more,
-            // and what was found for this one is yet to come.
-            slots.found.clear();
+            // What was found before stays until it is asked for: a path holds
+            // for later requests, too, and is not found again for them.
             slots.working = true;
             drop(slots);
             job.take(request);

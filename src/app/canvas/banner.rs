@@ -70,12 +70,10 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) {
     let Standing::Greyed { what, reason } = state.live.drawing().standing.clone() else {
         return;
     };
-    // A certified shape short of its goal has its reason in better words.
+    // In words that name obstacles by their names.
     let reason = match state.live.solution() {
-        Some(solution) if solution.status != Status::Converged => {
-            words::outcome(solution, &state.document.scene)
-        }
-        _ => words::sentence(&reason),
+        Some(solution) => words::outcome(solution, &state.document.scene),
+        None => words::sentence(&reason),
     };
     banner(ui, state, rect, (icons::WARNING, what, &reason));
 }

@@ -1,12 +1,15 @@
 //! What outlives the window: the user's choices, recent files, and the scene
 //! while it differs from what is saved, so that a crash loses nothing.
 //!
-//! An orderly end leaves no unsaved scene behind, so one that is found at the
-//! start is from a crash (or a system that shut down), and is offered. A stored
-//! value that cannot be read is dropped and told.
+//! Windows share a storage for choices, where the last one counts. Unsaved work
+//! is kept by each window for itself ([`Platform::keep`]). An orderly end
+//! leaves none behind, so what is found at the start is from a crash (or a
+//! system that shut down), and is offered. A choice that cannot be read is
+//! dropped and told.
 
 use super::Arrival;
 use crate::app::dock::{Arrangement, Dock};
+use crate::app::platform::Platform;
 use crate::app::state::{Preferences, State};
 use crate::scene::{Scene, SceneError};
 use eframe::Storage;
@@ -16,11 +19,7 @@ use std::path::PathBuf;
 
 const PREFERENCES: &str = "preferences";
 const RECENT: &str = "recent";
-const UNSAVED: &str = "unsaved";
 const DOCK: &str = "dock";
-
-/// Scenes that are kept for a decision, the newest first.
-const MOST_UNSAVED: usize = 5;
 
 /// A scene that differed from what was saved.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -28,9 +27,13 @@ pub struct Unsaved {
     /// What it was called.
     pub name: String,
     /// The file it was from, if any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
     /// The scene as TOML, a photograph's path absolute.
     pub scene: String,
+    /// Where it is kept until it is decided on, see [`Platform::left`].
+    #[serde(skip)]
+    pub drawer: String,
 }
 
 impl Unsaved {
@@ -42,9 +45,31 @@ impl Unsaved {
         }
         Some(Self {
             name: document.name(),
-            file: document.file.clone(),
+            // A path that is no text cannot be written, which must not cost
+            // the work.
+            file: document.file.clone().filter(|file| file.to_str().is_some()),
             scene: document.scene.to_toml().ok()?,
+            drawer: String::new(),
         })
+    }
+
+    /// What windows that are gone have left. What cannot be read may still
+    /// hold a scene for eyes, so it is not thrown away unasked.
+    pub fn left(platform: &mut dyn Platform) -> Vec<Self> {
+        let left = platform.left().into_iter();
+        left.map(|left| match toml::from_str::<Self>(&left.work) {
+            Ok(unsaved) => Self {
+                drawer: left.drawer,
+                ..unsaved
+            },
+            Err(_) => Self {
+                name: "A scene".to_owned(),
+                file: None,
+                scene: left.work,
+                drawer: left.drawer,
+            },
+        })
+        .collect()
     }
 
     /// The scene, on its way back into a window.
@@ -57,6 +82,7 @@ impl Unsaved {
             file: self.file.clone(),
             told: Some(format!("Restored {}", self.name)),
             kept: false,
+            drawer: Some(self.drawer.clone()),
         })
     }
 }
@@ -68,8 +94,6 @@ pub struct Stored {
     pub preferences: Preferences,
     /// Files that were open, the last one first.
     pub recent: Vec<PathBuf>,
-    /// Scenes that were not saved, the newest first.
-    pub unsaved: Vec<Unsaved>,
     /// Where the plots and tables were, if that is known.
     pub dock: Option<Arrangement>,
     /// What could not be read, in words.
@@ -87,7 +111,6 @@ impl Stored {
         stored.preferences = read(storage, PREFERENCES, "your settings", lost);
         stored.preferences.bring_into_range();
         stored.recent = read(storage, RECENT, "the list of recent files", lost);
-        stored.unsaved = read(storage, UNSAVED, "work that was not saved", lost);
         stored.dock = read(storage, DOCK, "where the plots were", lost);
         stored
     }
@@ -111,14 +134,22 @@ fn read<T: DeserializeOwned + Default>(
     value.unwrap_or_default()
 }
 
-/// Stores what is to outlive the window.
+/// Keeps the scene where a crash leaves it, as long as it is not saved.
+pub fn keep(state: &mut State) {
+    let work = Unsaved::of(state).and_then(|unsaved| toml::to_string(&unsaved).ok());
+    state.files.platform.keep(work);
+}
+
+/// Throws away what a window that is gone has kept.
+pub fn forget(state: &mut State, drawer: &str) {
+    state.files.unsaved.retain(|left| left.drawer != drawer);
+    state.files.platform.forget(drawer);
+}
+
+/// Stores the user's choices.
 pub fn store(state: &State, storage: &mut dyn Storage) {
-    let mut unsaved: Vec<Unsaved> = Unsaved::of(state).into_iter().collect();
-    unsaved.extend(state.files.unsaved.iter().cloned());
-    unsaved.truncate(MOST_UNSAVED);
     eframe::set_value(storage, PREFERENCES, &state.preferences);
     eframe::set_value(storage, RECENT, &state.files.recent);
-    eframe::set_value(storage, UNSAVED, &unsaved);
     if let Some(dock) = &state.dock {
         eframe::set_value(storage, DOCK, &Some(dock.arrangement()));
     }
@@ -131,7 +162,6 @@ pub(super) struct Mark {
     changed: bool,
     file: Option<PathBuf>,
     preferences: Preferences,
-    unsaved: usize,
     dock: Option<Arrangement>,
 }
 
@@ -142,7 +172,6 @@ impl Mark {
             changed: state.document.is_changed(),
             file: state.document.file.clone(),
             preferences: state.preferences.clone(),
-            unsaved: state.files.unsaved.len(),
             dock: state.dock.as_ref().map(|dock| dock.arrangement().clone()),
         }
     }
@@ -150,7 +179,6 @@ impl Mark {
     /// Whether nothing differs. Asked in every frame, so it copies nothing.
     fn is_of(&self, state: &State) -> bool {
         self.changed == state.document.is_changed()
-            && self.unsaved == state.files.unsaved.len()
             && self.file == state.document.file
             && self.preferences == state.preferences
             && self.dock.as_ref() == state.dock.as_ref().map(Dock::arrangement)
@@ -158,16 +186,17 @@ impl Mark {
     }
 }
 
-/// Stores it at once where anything differs, for the end of a gesture: an idle
-/// window is given no other occasion.
+/// Keeps and stores at once where anything differs, for the end of a gesture:
+/// an idle window is given no other occasion.
 pub fn store_settled(state: &mut State, storage: Option<&mut (dyn Storage + 'static)>) {
-    let Some(storage) = storage else {
-        return;
-    };
     let known = state.files.stored.as_ref();
-    if !known.is_some_and(|mark| mark.is_of(state)) {
+    if known.is_some_and(|mark| mark.is_of(state)) {
+        return;
+    }
+    keep(state);
+    if let Some(storage) = storage {
         store(state, storage);
         storage.flush();
-        state.files.stored = Some(Mark::of(state));
     }
+    state.files.stored = Some(Mark::of(state));
 }

@@ -65,11 +65,11 @@ pub fn plot(state: &mut State, word: &str, ending: &str, bytes: Vec<u8>) {
 
 /// Asks where a file is to go, unless something is being asked already.
 fn write(state: &mut State, errand: Errand, name: String, contents: Contents) {
-    if state.files.asking {
+    if state.files.is_asking() {
         return;
     }
     let folder = super::folder(state);
-    state.files.asking = true;
+    super::ask(state, errand);
     let to = Destination::Ask { name, folder };
     state.files.platform.write(errand, to, contents);
 }

@@ -19,7 +19,7 @@ use super::notices::Notice;
 use super::platform::{Destination, Errand, News, Platform};
 use super::sheets::Sheet;
 use super::state::State;
-use crate::scene::Scene;
+use crate::scene::{Candidates, Scene};
 use autosave::Unsaved;
 use eframe::egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
@@ -30,7 +30,7 @@ const MOST_RECENT: usize = 10;
 /// What is to take the place of the document.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Intent {
-    /// The paper's robot with nothing around it.
+    /// The paper's robot with nothing around it, see [`blank`].
     New,
     /// A scene that is kept nowhere: an example, a link, a file's contents.
     Scene(Box<Arrival>),
@@ -49,6 +49,26 @@ pub struct Arrival {
     pub told: Option<String>,
     /// Whether it counts as saved.
     pub kept: bool,
+    /// Where a window that is gone has kept it, if that is where it is from.
+    pub drawer: Option<String>,
+}
+
+/// A dialog, and which document it was opened for: another may be there when it
+/// is answered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Asked {
+    errand: Errand,
+    opened: u64,
+}
+
+/// A scene that is being written.
+#[derive(Clone, Debug, PartialEq)]
+struct Saved {
+    scene: Scene,
+    /// Whose it is, see [`State::opened`].
+    opened: u64,
+    /// What follows when it is written.
+    then: Option<Intent>,
 }
 
 /// The document's way to and from files.
@@ -59,12 +79,10 @@ pub struct Files {
     pub recent: Vec<PathBuf>,
     /// Work that an earlier window did not save and nobody has decided on.
     pub unsaved: Vec<Unsaved>,
-    /// The scene that is being written.
-    saving: Option<Scene>,
-    /// What follows when it is.
-    then: Option<Intent>,
-    /// Whether a dialog of the system is open.
-    asking: bool,
+    /// What is being written, if anything.
+    saving: Option<Saved>,
+    /// The dialog of the system that is open, if any.
+    asking: Option<Asked>,
     /// Whether the window may close.
     pub closing: bool,
     /// The window's title as the system knows it.
@@ -81,12 +99,23 @@ impl Files {
             recent: Vec::new(),
             unsaved: Vec::new(),
             saving: None,
-            then: None,
-            asking: false,
+            asking: None,
             closing: false,
             title: String::new(),
             stored: None,
         }
+    }
+
+    /// Whether a dialog is open; a second one would hide behind it.
+    pub(super) fn is_asking(&self) -> bool {
+        self.asking.is_some()
+    }
+
+    /// Closes the dialog of an errand, if it is open. The document that it was
+    /// opened for.
+    fn answered(&mut self, errand: Errand) -> Option<u64> {
+        let asked = self.asking.take_if(|asked| asked.errand == errand);
+        asked.map(|asked| asked.opened)
     }
 
     /// Puts a file in front of the recent ones.
@@ -110,10 +139,19 @@ pub fn request(state: &mut State, intent: Intent, ctx: &Context) {
     }
 }
 
+/// A scene that is begun in the window: the paper's robot with nothing around
+/// it, whose whole body may touch. The paper lets only nodes touch; whoever puts
+/// an obstacle between them would see it pass through the robot.
+pub fn blank() -> Scene {
+    let mut scene = Scene::default();
+    scene.contact.candidates = Candidates::Body;
+    scene
+}
+
 /// Puts something in the place of the document, whatever becomes of it.
 pub fn carry_out(state: &mut State, intent: Intent, ctx: &Context) {
     match intent {
-        Intent::New => open::arrive(state, Arrival::of(Scene::default())),
+        Intent::New => open::arrive(state, Arrival::of(blank())),
         Intent::Scene(arrival) => open::arrive(state, *arrival),
         Intent::Close => {
             state.files.closing = true;
@@ -126,13 +164,18 @@ pub fn carry_out(state: &mut State, intent: Intent, ctx: &Context) {
 /// Asks for a file. What it would replace is guarded once it is read: whoever
 /// changes their mind, or chooses a broken file, is not asked in vain.
 pub fn pick(state: &mut State, errand: Errand) {
-    // A second dialog would hide behind the first.
-    if state.files.asking {
+    if state.files.is_asking() {
         return;
     }
-    state.files.asking = true;
+    ask(state, errand);
     let folder = folder(state);
     state.files.platform.pick(errand, folder.as_deref());
+}
+
+/// Notes that a dialog is open.
+fn ask(state: &mut State, errand: Errand) {
+    let opened = state.opened;
+    state.files.asking = Some(Asked { errand, opened });
 }
 
 /// Which way the scene is saved.
@@ -146,12 +189,15 @@ pub enum Saving {
 
 /// Saves the scene, and does something more when it is saved.
 pub fn save(state: &mut State, how: Saving, then: Option<Intent>) {
-    if state.files.asking || state.files.saving.is_some() {
+    if state.files.is_asking() || state.files.saving.is_some() {
         return;
     }
     let scene = state.document.scene.clone();
-    state.files.saving = Some(scene.clone());
-    state.files.then = then;
+    state.files.saving = Some(Saved {
+        scene: scene.clone(),
+        opened: state.opened,
+        then,
+    });
     let keeps_paths = state.files.platform.keeps_paths();
     let to = match (&state.document.file, how) {
         (Some(path), Saving::InPlace) if keeps_paths => Destination::Known(path.clone()),
@@ -160,7 +206,9 @@ pub fn save(state: &mut State, how: Saving, then: Option<Intent>) {
             folder: folder(state),
         },
     };
-    state.files.asking = matches!(to, Destination::Ask { .. });
+    if matches!(to, Destination::Ask { .. }) {
+        ask(state, Errand::Save);
+    }
     let contents = Box::new(move |path: &Path| {
         let scene = photo_path::as_kept_in(&scene, path.parent());
         let text = scene.to_toml().map_err(|fault| fault.to_string())?;
@@ -183,8 +231,10 @@ fn meet(state: &mut State, news: News, ctx: &Context) {
             path,
             bytes,
         } => {
-            state.files.asking = false;
+            let asked = state.files.answered(errand);
+            let is_late = asked.is_some_and(|opened| opened != state.opened);
             match errand {
+                Errand::Measurements | Errand::Photo if is_late => too_late(state, &path),
                 Errand::Scene => open::scene_file(state, path, &bytes, ctx),
                 Errand::Measurements => super::measured::import(state, &path, &bytes),
                 Errand::Photo | Errand::KnownPhoto => {
@@ -194,18 +244,11 @@ fn meet(state: &mut State, news: News, ctx: &Context) {
             }
         }
         News::Written { errand, path } => {
-            state.files.asking = false;
-            let name = shown(&path);
-            if errand == Errand::Save {
-                if let Some(scene) = state.files.saving.take() {
-                    state.document.mark_kept_as(scene);
-                }
-                state.files.remember(&path);
-                state.document.file = Some(path);
-            }
-            state.notices.tell(Notice::success(format!("Saved {name}")));
+            state.files.answered(errand);
+            let told = format!("Saved {}", shown(&path));
+            state.notices.tell(Notice::success(told));
             if errand == Errand::Save
-                && let Some(intent) = state.files.then.take()
+                && let Some(intent) = saved(state, path)
             {
                 // What has changed since is guarded again.
                 request(state, intent, ctx);
@@ -216,17 +259,40 @@ fn meet(state: &mut State, news: News, ctx: &Context) {
             path,
             reason,
         } => {
-            state.files.asking = false;
+            state.files.answered(errand);
             failed(state, errand, path, reason);
         }
         News::Cancelled(errand) => {
-            state.files.asking = false;
+            state.files.answered(errand);
             if errand == Errand::Save {
                 state.files.saving = None;
-                state.files.then = None;
             }
         }
     }
+}
+
+/// Notes that the document is kept in a file, if it is still the one that was
+/// written. What is to follow.
+fn saved(state: &mut State, path: PathBuf) -> Option<Intent> {
+    state.files.remember(&path);
+    let saved = state.files.saving.take()?;
+    if saved.opened == state.opened {
+        state.document.mark_kept_as(saved.scene);
+        state.document.file = Some(path);
+        return saved.then;
+    }
+    if state.document.file.as_ref() == Some(&path) {
+        // The other document was written over what this one was opened from.
+        state.document.mark_unkept();
+    }
+    None
+}
+
+/// Says that what was chosen for another document is not taken.
+pub fn too_late(state: &mut State, path: &Path) {
+    let name = shown(path);
+    let told = format!("{name} was chosen for the scene before this one and is left out.");
+    state.notices.tell(Notice::trouble(told));
 }
 
 fn failed(state: &mut State, errand: Errand, path: Option<PathBuf>, reason: String) {
@@ -241,7 +307,6 @@ fn failed(state: &mut State, errand: Errand, path: Option<PathBuf>, reason: Stri
         }
         Errand::Save => {
             state.files.saving = None;
-            state.files.then = None;
         }
         Errand::Scene => {
             // What cannot be opened is no longer offered.

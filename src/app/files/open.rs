@@ -2,7 +2,7 @@
 //! present one. One that cannot be solved changes nothing and is told with all
 //! of its faults.
 
-use super::{Arrival, Intent, photo_path, request, shown};
+use super::{Arrival, Intent, autosave, photo_path, request, shown};
 use crate::app::commands::Command;
 use crate::app::document::Document;
 use crate::app::history::History;
@@ -21,6 +21,7 @@ impl Arrival {
             file: None,
             told: None,
             kept: true,
+            drawer: None,
         }
     }
 
@@ -62,6 +63,7 @@ pub(super) fn scene_file(state: &mut State, path: PathBuf, bytes: &[u8], ctx: &C
                 file: Some(path),
                 told: None,
                 kept: true,
+                drawer: None,
             };
             request(state, Intent::Scene(Box::new(arrival)), ctx);
         }
@@ -84,6 +86,7 @@ pub(super) fn arrive(state: &mut State, arrival: Arrival) {
         file,
         told,
         kept,
+        drawer,
     } = arrival;
     let name = file
         .as_deref()
@@ -100,6 +103,11 @@ pub(super) fn arrive(state: &mut State, arrival: Arrival) {
     }
     if !kept {
         state.document.mark_unkept();
+    }
+    if let Some(drawer) = drawer {
+        // It is this window's to keep before it is no other's.
+        autosave::keep(state);
+        autosave::forget(state, &drawer);
     }
     state.sheets.sheet = None;
     crate::app::photo::fetch(state);

@@ -1,7 +1,7 @@
 //! The bar that offers work which an earlier window did not save. It blocks
 //! nothing; as long as nobody decides, the work is kept.
 
-use crate::app::files::{self, Intent};
+use crate::app::files::{self, Intent, autosave};
 use crate::app::look::{Tokens, icon, icons};
 use crate::app::notices::Notice;
 use crate::app::state::State;
@@ -16,7 +16,6 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     let frame = Frame::new()
         .fill(tokens.accent_soft)
         .inner_margin(Margin::symmetric(12, 6));
-    let mut decided = false;
     Panel::top("restore").frame(frame).show(ui, |ui| {
         ui.horizontal_wrapped(|ui| {
             ui.label(icon(icons::CLOCK_COUNTER_CLOCKWISE));
@@ -29,7 +28,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
                     .add(Button::new("Discard").frame_when_inactive(false))
                     .clicked()
                 {
-                    decided = true;
+                    autosave::forget(state, &unsaved.drawer);
                 }
                 if ui.button("Restore").clicked() {
                     match unsaved.arrival() {
@@ -42,12 +41,8 @@ pub fn show(ui: &mut Ui, state: &mut State) {
                             state.notices.tell(Notice::trouble(fault));
                         }
                     }
-                    decided = true;
                 }
             });
         });
     });
-    if decided {
-        state.files.unsaved.remove(0);
-    }
 }

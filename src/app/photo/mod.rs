@@ -10,7 +10,7 @@ mod place;
 pub use decode::decode;
 pub use place::{Scaling, interact, outline, paint};
 
-use super::files::{sentence, shown};
+use super::files::{self, sentence, shown};
 use super::platform::Errand;
 use super::sheets::Sheet;
 use super::state::{Selection, State};
@@ -83,6 +83,8 @@ pub struct Photos {
 /// A photograph that is being decoded.
 struct Coming {
     errand: Errand,
+    /// The document that it was chosen for, see [`State::opened`].
+    opened: u64,
     path: PathBuf,
     result: Receiver<Result<Decoded, String>>,
 }
@@ -125,6 +127,7 @@ pub fn take(state: &mut State, errand: Errand, path: PathBuf, bytes: Vec<u8>) {
     let (sender, result) = channel();
     state.photos.coming.push(Coming {
         errand,
+        opened: state.opened,
         path,
         result,
     });
@@ -152,11 +155,11 @@ pub fn arrive(state: &mut State, ctx: &Context) {
         Err(TryRecvError::Empty) => true,
         Err(TryRecvError::Disconnected) => {
             let reason = "decoding it has failed".to_owned();
-            arrived(state, one.errand, &one.path, Err(reason), ctx);
+            arrived(state, one, Err(reason), ctx);
             false
         }
         Ok(result) => {
-            arrived(state, one.errand, &one.path, result, ctx);
+            arrived(state, one, result, ctx);
             false
         }
     });
@@ -164,13 +167,12 @@ pub fn arrive(state: &mut State, ctx: &Context) {
     state.photos.coming = coming;
 }
 
-fn arrived(
-    state: &mut State,
-    errand: Errand,
-    path: &Path,
-    result: Result<Decoded, String>,
-    ctx: &Context,
-) {
+fn arrived(state: &mut State, one: &Coming, result: Result<Decoded, String>, ctx: &Context) {
+    let (errand, path) = (one.errand, &*one.path);
+    if errand == Errand::Photo && one.opened != state.opened {
+        files::too_late(state, path);
+        return;
+    }
     match result {
         Ok(Decoded { image, size }) => {
             let name = path.to_string_lossy();

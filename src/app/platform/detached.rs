@@ -52,6 +52,14 @@ impl Platform for Detached {
         give(Err("this window has no access to files".to_owned()));
     }
 
+    fn keep(&mut self, _work: Option<String>) {}
+
+    fn left(&mut self) -> Vec<super::Left> {
+        Vec::new()
+    }
+
+    fn forget(&mut self, _drawer: &str) {}
+
     fn poll(&mut self) -> Option<News> {
         self.news.pop_front()
     }

@@ -1,11 +1,13 @@
-//! What the window asks of the system it runs on: files, and work that does
-//! not make it wait. The only way out of the window, so that the desktop, a
+//! What the window asks of the system it runs on: files, a place for what is
+//! not saved, and work that does not make it wait. The only way out of the window, so that the desktop, a
 //! browser and a test differ in nothing else.
 //!
 //! Nothing here waits. What was asked for comes later from [`Platform::poll`],
 //! which the window asks once a frame; whoever delivers asks for that frame.
 
 mod detached;
+#[cfg(not(target_arch = "wasm32"))]
+mod drawers;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 #[cfg(all(target_arch = "wasm32", feature = "web"))]
@@ -150,6 +152,15 @@ pub enum News {
     Cancelled(Errand),
 }
 
+/// Work that a window which is gone did not save.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Left {
+    /// What the system knows it by.
+    pub drawer: String,
+    /// What was kept.
+    pub work: String,
+}
+
 /// The system around the window.
 pub trait Platform {
     /// Asks the user for a file and reads it. To be called while a click or a
@@ -180,6 +191,18 @@ pub trait Platform {
     /// The same, by the browser, which can do it already.
     #[cfg(target_arch = "wasm32")]
     fn decode(&mut self, bytes: Vec<u8>, give: Taker);
+
+    /// Keeps this window's work where the end of the program leaves it and no
+    /// other window changes it, in the place of what it has kept before; or
+    /// keeps nothing any more.
+    fn keep(&mut self, work: Option<String>);
+
+    /// What windows that are gone have kept, the newest first. No other window
+    /// is given it while this one is there.
+    fn left(&mut self) -> Vec<Left>;
+
+    /// Throws such work away.
+    fn forget(&mut self, drawer: &str);
 
     /// What has become of an errand, if anything has.
     fn poll(&mut self) -> Option<News>;

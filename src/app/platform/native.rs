@@ -1,6 +1,7 @@
 //! The desktop: its dialogs, its files, a thread for whatever takes time.
 
-use super::{Contents, Destination, Errand, News, PictureKind, Platform};
+use super::drawers::Drawers;
+use super::{Contents, Destination, Errand, Left, News, PictureKind, Platform};
 use eframe::egui::{Context, DroppedFileHandle};
 use rfd::AsyncFileDialog;
 use std::fs::{self, File};
@@ -14,16 +15,26 @@ pub struct Native {
     ctx: Context,
     sender: Sender<News>,
     receiver: Receiver<News>,
+    /// Not there where the system gives no place for them.
+    drawers: Option<Drawers>,
 }
 
 impl Native {
-    /// The desktop around the window of a context.
-    pub fn new(ctx: &Context) -> Self {
+    /// The desktop around the window of a context; `folder` is where the
+    /// program keeps what is its own.
+    pub fn new(ctx: &Context, folder: Option<PathBuf>) -> Self {
         let (sender, receiver) = channel();
+        let drawers = folder.and_then(|folder| {
+            let opened = Drawers::open(folder.join("unsaved"));
+            opened
+                .inspect_err(|error| log::warn!("work that is not saved is not kept: {error}"))
+                .ok()
+        });
         Self {
             ctx: ctx.clone(),
             sender,
             receiver,
+            drawers,
         }
     }
 
@@ -85,6 +96,22 @@ impl Platform for Native {
         });
         if let Err(error) = started {
             log::warn!("the system gives no thread: {error}");
+        }
+    }
+
+    fn keep(&mut self, work: Option<String>) {
+        if let Some(drawers) = &mut self.drawers {
+            drawers.keep(work);
+        }
+    }
+
+    fn left(&mut self) -> Vec<Left> {
+        self.drawers.as_ref().map(Drawers::left).unwrap_or_default()
+    }
+
+    fn forget(&mut self, drawer: &str) {
+        if let Some(drawers) = &mut self.drawers {
+            drawers.forget(drawer);
         }
     }
 
@@ -176,7 +203,7 @@ fn write(errand: Errand, path: PathBuf, contents: Contents) -> News {
 
 /// Puts a file in the place of another in one step, so that a crash or a full
 /// disk leaves one of the two whole.
-fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+pub(super) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     // A link keeps pointing to where it does.
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let name = path
@@ -221,14 +248,14 @@ fn told(error: &io::Error) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
     /// A folder that is gone with the test.
-    struct Folder(PathBuf);
+    pub struct Folder(pub PathBuf);
 
     impl Folder {
-        fn new(name: &str) -> Self {
+        pub fn new(name: &str) -> Self {
             let folder = std::env::temp_dir().join(format!("sinew-{name}-{}", std::process::id()));
             fs::create_dir_all(&folder).unwrap();
             Self(folder)

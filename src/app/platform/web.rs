@@ -2,7 +2,7 @@
 //! where its downloads go. It tells nobody where that is, so no file can be
 //! opened or written again without the user.
 
-use super::{Contents, Destination, Errand, News, PictureKind, Platform, Taker};
+use super::{Contents, Destination, Errand, Left, News, PictureKind, Platform, Taker};
 use crate::app::files::export::SCALE;
 use crate::app::photo::{Decoded, MOST_SIDE, SHOWN_SIDE, neither, too_large};
 use eframe::egui::{ColorImage, Context, DroppedFileHandle};
@@ -30,6 +30,13 @@ extern "C" {
     fn decode(bytes: &[u8], most: u32) -> Promise;
     /// The page's address without its fragment.
     fn address() -> String;
+    /// Keeps work that is not saved, or nothing any more.
+    fn keep(work: Option<String>);
+    /// What pages that are gone have kept, the newest first: their drawers'
+    /// names and what is in them, by turns.
+    fn left() -> Array;
+    /// Empties such a drawer.
+    fn forget(drawer: &str);
 }
 
 /// The browser around a window.
@@ -130,6 +137,24 @@ impl Platform for Web {
     fn work(&mut self, work: Box<dyn FnOnce() + Send>) {
         work();
         self.news.ctx.request_repaint();
+    }
+
+    fn keep(&mut self, work: Option<String>) {
+        keep(work);
+    }
+
+    fn left(&mut self) -> Vec<Left> {
+        let words = left();
+        let mut words = words.iter().filter_map(|word| word.as_string());
+        let mut found = Vec::new();
+        while let (Some(drawer), Some(work)) = (words.next(), words.next()) {
+            found.push(Left { drawer, work });
+        }
+        found
+    }
+
+    fn forget(&mut self, drawer: &str) {
+        forget(drawer);
     }
 
     fn poll(&mut self) -> Option<News> {

@@ -35,7 +35,7 @@ impl Site {
         let bytes = page.context("the page has a program")?.1.len().to_string();
         let main = read("main.js")?.replace("%PAGE_BYTES%", &bytes);
         app.push(("main.js".to_owned(), main.into_bytes()));
-        for name in ["worker.js", "style.css"] {
+        for name in ["drawers.js", "worker.js", "style.css"] {
             app.push((name.to_owned(), read(name)?.into_bytes()));
         }
         app.sort();

@@ -53,13 +53,12 @@ pub fn show(ui: &mut Ui, state: &mut State, bar: f32) {
     row::focus(ui, &response);
     let ink = verdict.colour(&tokens);
     let middle = rect.center().y;
-    for (x, text, font) in [
-        (8.0, verdict.icon(), icon_font(16.0)),
-        (28.0, verdict.word(), FontId::proportional(14.0)),
-    ] {
+    let written = |x: f32, text: &str, font| {
         let at = pos2(rect.left() + x, middle);
-        painter.text(at, Align2::LEFT_CENTER, text, font, ink);
-    }
+        painter.text(at, Align2::LEFT_CENTER, text, font, ink)
+    };
+    written(8.0, verdict.icon(), icon_font(16.0));
+    let word = written(28.0, verdict.word(), FontId::proportional(14.0));
     if let Some(solution) = state.live.solution()
         && bar >= ROOMY
     {
@@ -70,8 +69,13 @@ pub fn show(ui: &mut Ui, state: &mut State, bar: f32) {
             (time(state.live.time()), TIME),
         ] {
             x += width;
-            let (at, font) = (pos2(x - 8.0, middle), FontId::proportional(12.0));
-            painter.text(at, Align2::RIGHT_CENTER, text, font, tokens.muted);
+            let font = FontId::proportional(12.0);
+            let number = painter.layout_no_wrap(text, font, tokens.muted);
+            let place = Align2::RIGHT_CENTER.anchor_size(pos2(x - 8.0, middle), number.size());
+            // A long word takes the place of the number beside it.
+            if place.left() > word.right() + 4.0 {
+                painter.galley(place.min, number, tokens.muted);
+            }
         }
     }
     response.widget_info(|| {

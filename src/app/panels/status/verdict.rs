@@ -3,6 +3,7 @@
 use crate::app::live::Live;
 use crate::app::look::{Tokens, icons};
 use crate::equilibrium::Status;
+use crate::view::outcome;
 use eframe::egui::Color32;
 
 /// What is to be thought of what is on the screen.
@@ -12,16 +13,10 @@ pub enum Verdict {
     Solving,
     /// A certified equilibrium of what was asked.
     Converged,
-    /// The solver believes in it, its certificate does not.
-    NotCertified,
-    /// An equilibrium short of what was asked.
-    BranchEnded,
-    /// No shape avoids the obstacles.
-    NoShape,
-    /// The iterations are used up.
-    IterationLimit,
-    /// Rounding is in the way.
-    Inaccurate,
+    /// An equilibrium short of what was asked, and what became of the solve.
+    Short(&'static str),
+    /// No equilibrium, and what became of the solve.
+    Refused(&'static str),
 }
 
 impl Verdict {
@@ -30,28 +25,24 @@ impl Verdict {
         let Some(solution) = live.solution() else {
             return Verdict::Solving;
         };
+        let word = outcome(solution);
         match solution.status {
             Status::Converged if live.is_settled() => Verdict::Converged,
             Status::Converged if live.is_waiting() => Verdict::Solving,
-            Status::Converged => Verdict::NotCertified,
             Status::Unfinished => Verdict::Solving,
-            Status::Infeasible { .. } => Verdict::NoShape,
-            Status::BranchEnded { .. } => Verdict::BranchEnded,
-            Status::IterationLimit => Verdict::IterationLimit,
-            Status::NumericalFailure => Verdict::Inaccurate,
+            Status::BranchEnded { .. } | Status::IterationLimit => Verdict::Short(word),
+            Status::Converged | Status::Infeasible { .. } | Status::NumericalFailure => {
+                Verdict::Refused(word)
+            }
         }
     }
 
-    /// The verdict in a word or two.
+    /// The verdict in a word or two, those of every picture.
     pub fn word(self) -> &'static str {
         match self {
             Verdict::Solving => "Solving…",
             Verdict::Converged => "Converged",
-            Verdict::NotCertified => "Not certified",
-            Verdict::BranchEnded => "Branch ended",
-            Verdict::NoShape => "No shape",
-            Verdict::IterationLimit => "Iteration limit",
-            Verdict::Inaccurate => "Inaccurate",
+            Verdict::Short(word) | Verdict::Refused(word) => word,
         }
     }
 
@@ -60,8 +51,8 @@ impl Verdict {
         match self {
             Verdict::Solving => icons::GAUGE,
             Verdict::Converged => icons::CHECK_CIRCLE,
-            Verdict::BranchEnded | Verdict::IterationLimit => icons::WARNING,
-            Verdict::NotCertified | Verdict::NoShape | Verdict::Inaccurate => icons::WARNING_CIRCLE,
+            Verdict::Short(_) => icons::WARNING,
+            Verdict::Refused(_) => icons::WARNING_CIRCLE,
         }
     }
 
@@ -70,8 +61,8 @@ impl Verdict {
         match self {
             Verdict::Solving => tokens.muted,
             Verdict::Converged => tokens.good,
-            Verdict::BranchEnded | Verdict::IterationLimit => tokens.warning,
-            Verdict::NotCertified | Verdict::NoShape | Verdict::Inaccurate => tokens.error,
+            Verdict::Short(_) => tokens.warning,
+            Verdict::Refused(_) => tokens.error,
         }
     }
 }

@@ -1,0 +1,31 @@
+//! How thick the robot's parts are: the one source for contacts and pictures.
+//! The mechanics do not depend on it, but through what may touch.
+
+use crate::scene;
+use crate::units::metres;
+use serde::{Deserialize, Serialize};
+
+/// Sizes of a robot's parts, in metres; zero where a scene does not give them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Sizes {
+    /// Radius of the disks' rim, at least the cable offset.
+    pub rim: f64,
+    /// Thickness of a disk along the backbone.
+    pub disk: f64,
+    /// Diameter of the backbone.
+    pub backbone: f64,
+    /// Diameter of the cable.
+    pub cable: f64,
+}
+
+impl Sizes {
+    /// The sizes of a scene's robot.
+    pub fn of(described: &scene::Robot) -> Self {
+        Self {
+            rim: metres(described.rim_mm()),
+            disk: metres(described.disk_thickness_mm),
+            backbone: metres(described.backbone_diameter_mm),
+            cable: metres(described.cable_diameter_mm),
+        }
+    }
+}
