@@ -1,6 +1,7 @@
 //! Which parts of the robot may touch obstacles, and how they move with its
 //! nodes. It holds no clearances.
 
+use super::robot::Robot;
 use crate::geometry::Vector;
 use crate::solver::State;
 use serde::{Deserialize, Serialize};
@@ -35,6 +36,26 @@ impl Line {
             Line::BackboneLink => "backbone_link",
             Line::CableLink => "cable_link",
             Line::Disk => "disk",
+        }
+    }
+
+    /// Whether its parts are points, which only a node moves, and not the
+    /// lines between them.
+    pub fn is_point(self) -> bool {
+        !matches!(self, Line::BackboneLink | Line::CableLink | Line::Disk)
+    }
+
+    /// The part of the robot that this line has at a node, in words: `the
+    /// cable between nodes 9 and 10`.
+    pub fn part(self, node: usize) -> String {
+        let link = |name| format!("the {name} between nodes {} and {node}", node - 1);
+        match self {
+            Line::Backbone | Line::Cable => format!("{} node {node}", self.name()),
+            Line::RimCableSide => format!("the cable-side rim at node {node}"),
+            Line::RimFarSide => format!("the far rim at node {node}"),
+            Line::BackboneLink => link("backbone"),
+            Line::CableLink => link("cable"),
+            Line::Disk => format!("the disk at node {node}"),
         }
     }
 }
@@ -91,6 +112,53 @@ impl Candidate {
             Element::Link { lever } => (nodes[self.node - 1].at(lever), node.at(lever)),
             Element::Across { lever } => (node.at(-lever), node.at(lever)),
         }
+    }
+}
+
+/// How thick the robot's parts are, whether they may touch or not: half of
+/// each thickness, in metres.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Body {
+    /// Radius of the disks' rim.
+    pub rim: f64,
+    /// Half of a disk's thickness.
+    pub disk: f64,
+    /// Radius of the backbone.
+    pub backbone: f64,
+    /// Radius of the cable.
+    pub cable: f64,
+}
+
+impl Body {
+    /// Everything solid between a node and the one before: both links, and the
+    /// node's disk where it has one. Of the base, which is node 0, the disk.
+    pub fn parts(&self, robot: &Robot, node: usize) -> Vec<Candidate> {
+        let part = |line, element, radius| Candidate {
+            line,
+            node,
+            element,
+            radius,
+        };
+        let point = |lever| Element::Point { lever };
+        let link = |lever| Element::Link { lever };
+        let mut parts = Vec::new();
+        if node > 0 {
+            parts.extend([
+                part(Line::Backbone, point(0.0), self.backbone),
+                part(Line::Cable, point(robot.offset), self.cable),
+                part(Line::BackboneLink, link(0.0), self.backbone),
+                part(Line::CableLink, link(robot.offset), self.cable),
+            ]);
+        }
+        if robot.has_disk(node) {
+            let across = Element::Across { lever: self.rim };
+            parts.extend([
+                part(Line::RimCableSide, point(self.rim), self.disk),
+                part(Line::RimFarSide, point(-self.rim), self.disk),
+                part(Line::Disk, across, self.disk),
+            ]);
+        }
+        parts
     }
 }
 

@@ -1,8 +1,9 @@
 //! From a scene, in the file's units, to a problem that cannot be wrong.
 
-use super::candidate::{Candidate, Element, Line};
+use super::candidate::{Body, Candidate, Element, Line};
 use super::node::PlanarNode;
-use super::problem::{Problem, Robot};
+use super::problem::Problem;
+use super::robot::Robot;
 use crate::geometry::{Core, Obstacle, Vector};
 use crate::scene::{self, Candidates, Scene, SceneError, Shape, limits::shown};
 use crate::units::{metres, millimetres, radians};
@@ -69,7 +70,8 @@ impl Problem {
             }
         }
         if faults.is_empty() {
-            Ok(Problem::from_parts(robot, pull, candidates, obstacles))
+            let problem = Problem::from_parts(robot, pull, candidates, obstacles);
+            Ok(problem.with_body(body(&scene.robot)))
         } else {
             Err(faults)
         }
@@ -179,42 +181,23 @@ fn candidates(scene: &Scene, robot: &Robot) -> Vec<Candidate> {
             });
             listed.collect()
         }
-        Candidates::Body => nodes.flat_map(|i| body(scene, robot, i)).collect(),
+        Candidates::Body => nodes
+            .flat_map(|node| body(&scene.robot).parts(robot, node))
+            .collect(),
     }
 }
 
-/// Everything solid between a node and the one before: both links, and the
-/// node's disk where it has one.
-fn body(scene: &Scene, robot: &Robot, node: usize) -> Vec<Candidate> {
-    let described = &scene.robot;
-    let backbone = metres(0.5 * described.backbone_diameter_mm);
-    let cable = metres(0.5 * described.cable_diameter_mm);
-    let disk = metres(0.5 * described.disk_thickness_mm);
-    let rim = metres(described.rim_mm());
-    let part = |line, element, radius| Candidate {
-        line,
-        node,
-        element,
-        radius,
-    };
-    let point = |lever| Element::Point { lever };
-    let link = |lever| Element::Link { lever };
-    let mut parts = vec![
-        part(Line::Backbone, point(0.0), backbone),
-        part(Line::Cable, point(robot.offset), cable),
-        part(Line::BackboneLink, link(0.0), backbone),
-        part(Line::CableLink, link(robot.offset), cable),
-    ];
-    if robot.has_disk(node) {
-        parts.push(part(Line::RimCableSide, point(rim), disk));
-        parts.push(part(Line::RimFarSide, point(-rim), disk));
-        parts.push(part(Line::Disk, Element::Across { lever: rim }, disk));
+fn body(described: &scene::Robot) -> Body {
+    Body {
+        rim: metres(described.rim_mm()),
+        disk: metres(0.5 * described.disk_thickness_mm),
+        backbone: metres(0.5 * described.backbone_diameter_mm),
+        cable: metres(0.5 * described.cable_diameter_mm),
     }
-    parts
 }
 
-/// Whether the obstacle overlaps what cannot move: the first disk. Listed
-/// nodes never include it.
+/// Whether the obstacle overlaps what cannot move, the first disk, by more
+/// than touching it. Listed nodes never include it.
 fn covers_base(robot: &Robot, scene: &Scene, obstacle: &Obstacle) -> bool {
     let base = robot.base;
     let (start, end, thickness) = match scene.contact.candidates {
@@ -226,13 +209,16 @@ fn covers_base(robot: &Robot, scene: &Scene, obstacle: &Obstacle) -> bool {
             (base.at(-rim), base.at(rim), thickness)
         }
     };
+    let touching = robot.touching();
+    let least = thickness - touching;
     let mut covered = [start, end]
         .iter()
-        .any(|point| obstacle.clearance(*point).distance < thickness);
+        .any(|point| obstacle.clearance(*point).distance < least);
     if scene.contact.candidates == Candidates::Body {
-        covered |= obstacle.crossing_depth(start, end).is_some();
+        let depth = obstacle.crossing_depth(start, end);
+        covered |= depth.is_some_and(|depth| depth - obstacle.radius() > touching);
         obstacle.edge_clearances(start, end, |clearance| {
-            covered |= clearance.distance < thickness;
+            covered |= clearance.distance < least;
         });
     }
     covered

@@ -1,8 +1,9 @@
 //! A planar problem: a robot, a pull, candidates and obstacles, checked once.
 
-use super::candidate::{Candidate, DiskPoint, Element};
+use super::candidate::{Body, Candidate, DiskPoint, Element};
 use super::four_bar::FourBar;
 use super::node::PlanarNode;
+use super::robot::Robot;
 use super::rows;
 use crate::geometry::{Obstacle, Vector, perpendicular};
 use crate::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State};
@@ -12,36 +13,6 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// The robot's dimensions, in metres.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Robot {
-    /// Length of the backbone.
-    pub length: f64,
-    /// n, the number of segments.
-    pub segments: usize,
-    /// Segments between neighbouring disks.
-    pub segments_per_bay: usize,
-    /// The cable offset a.
-    pub offset: f64,
-    /// Where the robot starts, and how its first disk points (0 for a robot
-    /// that rises along +y).
-    pub base: PlanarNode,
-}
-
-impl Robot {
-    /// Whether a node carries a disk.
-    pub fn has_disk(&self, node: usize) -> bool {
-        node.is_multiple_of(self.segments_per_bay)
-    }
-
-    /// The pulls for which a linkage exists, in metres, ends included.
-    pub fn pull_range(&self) -> (f64, f64) {
-        let n = self.segments as f64;
-        let (least, most) = FourBar::shortening_range(self.length / n, self.offset);
-        (n * least, n * most)
-    }
-}
-
 /// A robot among obstacles at a pull. Every value of it can be solved for or
 /// shown not to be solvable; none is malformed.
 ///
@@ -50,6 +21,7 @@ impl Robot {
 pub struct Problem {
     robot: Robot,
     pull: f64,
+    body: Body,
     segment: FourBar,
     /// Shared by all clones: a fine robot has many.
     candidates: Arc<[Candidate]>,
@@ -63,6 +35,7 @@ impl Clone for Problem {
         Self {
             robot: self.robot,
             pull: self.pull,
+            body: self.body,
             segment: self.segment,
             candidates: Arc::clone(&self.candidates),
             reach: self.reach,
@@ -73,6 +46,7 @@ impl Clone for Problem {
     fn clone_from(&mut self, source: &Self) {
         self.robot = source.robot;
         self.pull = source.pull;
+        self.body = source.body;
         self.segment = source.segment;
         self.candidates = Arc::clone(&source.candidates);
         self.reach = source.reach;
@@ -85,6 +59,7 @@ impl Clone for Problem {
 struct Parts<'a> {
     robot: Robot,
     pull: f64,
+    body: Body,
     candidates: Cow<'a, [Candidate]>,
     obstacles: Cow<'a, [Obstacle]>,
 }
@@ -94,6 +69,7 @@ impl Serialize for Problem {
         let parts = Parts {
             robot: self.robot,
             pull: self.pull,
+            body: self.body,
             candidates: Cow::Borrowed(&self.candidates),
             obstacles: Cow::Borrowed(&self.obstacles),
         };
@@ -111,18 +87,20 @@ impl<'de> Deserialize<'de> for Problem {
             return Err(D::Error::custom("a pull out of the robot's range"));
         }
         let (candidates, obstacles) = (parts.candidates, parts.obstacles);
-        Ok(Self::from_parts(
+        let problem = Self::from_parts(
             parts.robot,
             parts.pull,
             candidates.into_owned(),
             obstacles.into_owned(),
-        ))
+        );
+        Ok(problem.with_body(parts.body))
     }
 }
 
 impl Problem {
     /// A problem from parts that were checked: see [`Problem::new`] for the
-    /// way from a scene.
+    /// way from a scene. Its parts are lines without thickness, its disks as
+    /// wide as the cable offset: see [`Problem::with_body`].
     ///
     /// # Panics
     /// If the pull is outside the robot's range: a bug of the caller.
@@ -137,11 +115,26 @@ impl Problem {
         Self {
             robot,
             pull,
+            body: Body {
+                rim: robot.offset,
+                ..Body::default()
+            },
             segment: segment(&robot, pull),
             reach: candidates.iter().map(Candidate::lever).fold(0.0, f64::max),
             candidates: candidates.into(),
             obstacles,
         }
+    }
+
+    /// The problem with the robot's parts this thick. It does not change what
+    /// may touch.
+    pub fn with_body(self, body: Body) -> Self {
+        Self { body, ..self }
+    }
+
+    /// How thick the robot's parts are.
+    pub fn body(&self) -> &Body {
+        &self.body
     }
 
     /// The robot's dimensions.
@@ -191,6 +184,16 @@ impl Problem {
     /// If there is no obstacle of that index.
     pub fn set_obstacle(&mut self, index: usize, obstacle: Obstacle) {
         self.obstacles[index] = obstacle;
+    }
+
+    /// The problem moved as a whole by a vector.
+    pub fn moved(&self, by: Vector) -> Self {
+        let mut moved = self.clone();
+        moved.robot.base.position += by;
+        for obstacle in &mut moved.obstacles {
+            *obstacle = obstacle.moved(by);
+        }
+        moved
     }
 
     /// Whether the same robot meets obstacles of the same kinds in both, so
