@@ -10,13 +10,14 @@ use crate::geometry::Vector;
 use crate::math::decimals;
 use crate::model::{Line, Problem};
 use crate::units::millimetres;
+use serde::{Deserialize, Serialize};
 
 /// Energy slopes below this, times the cable offset, are none: far above their
 /// rounding, and that of a pull of a billionth of the offset.
 const NO_SLOPE: f64 = 1e-9;
 
 /// Something about a shape that whoever relies on it has to know.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Caution {
     /// A part of the robot is inside an obstacle, and no candidate sees it.
     /// The deepest of the parts inside this obstacle.

@@ -9,7 +9,7 @@ pub use certificate::show as certificate;
 pub use verdict::Verdict;
 
 use super::row;
-use crate::app::look::{Tokens, icon_font};
+use crate::app::look::{Tokens, icon_font, icons};
 use crate::app::state::State;
 use crate::app::words;
 use crate::equilibrium::Solution;
@@ -59,6 +59,17 @@ pub fn show(ui: &mut Ui, state: &mut State, bar: f32) {
     ] {
         let at = pos2(rect.left() + x, middle);
         painter.text(at, Align2::LEFT_CENTER, text, font, ink);
+    }
+    if !state.live.cautions().is_empty() {
+        let at = pos2(rect.left() + WORD - 8.0, middle);
+        let font = icon_font(14.0);
+        painter.text(
+            at,
+            Align2::RIGHT_CENTER,
+            icons::WARNING,
+            font,
+            tokens.warning,
+        );
     }
     if let Some(solution) = state.live.solution()
         && bar >= ROOMY
@@ -110,8 +121,11 @@ fn tip(state: &State, verdict: Verdict) -> String {
         Verdict::Solving => "The solver is looking for the robot's shape.".to_owned(),
         _ => words::outcome(solution, &state.document.scene),
     };
+    let cautions = state.live.cautions().iter();
+    let cautions = cautions.map(|one| format!("\n{}", words::caution(one, &state.document.scene)));
+    let cautions: String = cautions.collect();
     format!(
-        "{what}\nKKT residual {}, {} iterations, {}\nClick for the certificate",
+        "{what}{cautions}\nKKT residual {}, {} iterations, {}\nClick for the certificate",
         residual(solution),
         solution.iterations,
         time(state.live.time())
