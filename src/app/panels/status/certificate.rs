@@ -157,7 +157,7 @@ fn conditions(ui: &mut Ui, certificate: &Certificate) {
         residual(
             "Penetration",
             "g ≥ 0",
-            "No part of the robot is inside an obstacle.",
+            "Nothing that may touch is inside an obstacle.",
             certificate.penetration,
         ),
         residual(
