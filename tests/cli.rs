@@ -48,7 +48,20 @@ fn check_with(args: &[&str], input: &[u8], code: i32) -> Ran {
         assert!(!ran.out.contains(text), "{args:?}: {text} in {}", ran.out);
     }
     assert!(!ran.err.contains("panicked"), "{args:?}: {}", ran.err);
+    if let Some(zero) = signed_zero(&ran.out) {
+        panic!("{args:?}: {zero} in {}", ran.out);
+    }
     ran
+}
+
+/// A zero with a sign, such as `-0.00`, in a text.
+fn signed_zero(text: &str) -> Option<&str> {
+    let part_of_number = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-' | '+' | '−');
+    let mut words = text.split(|c: char| !part_of_number(c));
+    words.find(|word| {
+        let digits = word.strip_prefix(['-', '−']);
+        digits.is_some_and(|digits| digits.parse() == Ok(0.0))
+    })
 }
 
 #[track_caller]
@@ -152,6 +165,7 @@ fn json_of_two_discs_is_complete() {
             "backbone_mm",
             "bends_rad",
             "cable_mm",
+            "cautions",
             "certificate",
             "contacts",
             "energy",
@@ -163,6 +177,9 @@ fn json_of_two_discs_is_complete() {
             "schema",
             "shears_rad",
             "status",
+            "tension_n",
+            "tip_mm",
+            "tip_slope_rad",
             "unique_split",
         ]
     );
@@ -218,8 +235,179 @@ fn the_free_robot_is_an_arc() {
         let end = &state["backbone_mm"][18];
         assert!((number(&end[0]) - tip[0]).abs() < 5e-4);
         assert!((number(&end[1]) - tip[1]).abs() < 5e-4);
+        // What the text shows of the tip is in the JSON too.
+        assert_eq!(&state["tip_mm"], end);
+        assert!((number(&state["tip_slope_rad"]).to_degrees() - slope).abs() < 5e-4);
         assert!(list(&state["contacts"]).is_empty());
     }
+}
+
+#[test]
+fn a_known_stiffness_gives_the_tension() {
+    // J = n β², sin(β/2) = l/2na and T = (EI/2l_0) dJ/dl, in N and mm.
+    let (n, offset, link, pull, stiffness): (f64, f64, f64, f64, f64) =
+        (18.0, 8.0, 10.0, 5.0, 8700.0);
+    let half = (pull / (2.0 * n * offset)).asin();
+    let right = stiffness / (2.0 * link) * 4.0 * half / (offset * half.cos());
+    let free = String::from_utf8(extended("free", "")).unwrap();
+    let stiff = free.replacen("[robot]", "[robot]\nbending_stiffness_nmm2 = 8700", 1);
+    let args = ["solve", "-", "--pull", "5", "--format", "json"];
+    let state = json_of_input(&args, stiff.as_bytes());
+    let tension = number(&state["tension_n"]);
+    assert!((tension / right - 1.0).abs() < 1e-9, "{tension} {right}");
+    let text = check_with(&["solve", "-", "--pull", "5"], stiff.as_bytes(), 0).out;
+    assert!(
+        text.contains("  tension      3.777 N along the cable\n"),
+        "{text} {right}"
+    );
+    assert!(
+        json_of_input(&args, free.as_bytes())
+            .get("tension_n")
+            .is_none()
+    );
+}
+
+const PIN: &str = r#"
+    version = 1
+    robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
+    actuation = { pull_mm = 6.3 }
+    obstacle = [{ name = "pin", shape = "disc", center_mm = [30, 105], radius_mm = 0.5 }]
+"#;
+
+#[test]
+fn cautions_are_told_and_change_no_exit_code() {
+    let sentence = "Obstacle 0 pin stands between backbone and cable below node 12, where the \
+                    contact candidates do not see it; contact.candidates = \"body\" keeps it out.";
+    let text = check_with(&["solve", "-"], PIN.as_bytes(), 0).out;
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let told = format!("Cautions {sentence} Nothing touches.");
+    assert!(words.join(" ").contains(&told), "{text}");
+    let text = check_with(&["check", "-"], PIN.as_bytes(), 0).out;
+    assert!(
+        text.ends_with(&format!("\nCaution: {sentence}\n")),
+        "{text}"
+    );
+    let text = check_with(&["solve", "-", "--path", "2"], PIN.as_bytes(), 0).out;
+    assert!(
+        text.ends_with("  caution: encloses obstacle 0 pin\n"),
+        "{text}"
+    );
+    let state = json_of_input(&["solve", "-", "--format", "json"], PIN.as_bytes());
+    let [caution] = list(&state["cautions"]) else {
+        panic!("{}", state["cautions"]);
+    };
+    assert_eq!(
+        keys(caution),
+        ["message", "node", "obstacle", "remedy", "what"]
+    );
+    assert_eq!(caution["what"], "encloses_obstacle");
+    assert_eq!(
+        (&caution["node"], &caution["obstacle"]),
+        (&12.into(), &0.into())
+    );
+    // Its remedy is one.
+    let body = PIN.replacen("obstacle =", "contact.candidates = \"body\"\nobstacle =", 1);
+    let state = json_of_input(&["solve", "-", "--format", "json"], body.as_bytes());
+    assert_eq!(list(&state["cautions"]).len(), 0);
+    assert_eq!(list(&state["contacts"]).len(), 1);
+    // Every kind has its keys.
+    for (scene, pull, expect) in [
+        (
+            "two-discs",
+            "4.9",
+            &[
+                "depth_mm", "line", "message", "node", "obstacle", "remedy", "what",
+            ][..],
+        ),
+        ("free", "-5", &["message", "what"]),
+        ("free", "56", &["message", "node", "other_node", "what"]),
+    ] {
+        let state = json(
+            &["solve", &asset(scene), "--pull", pull, "--format", "json"],
+            0,
+        );
+        let [caution] = list(&state["cautions"]) else {
+            panic!("{}", state["cautions"]);
+        };
+        assert_eq!(keys(caution), expect);
+    }
+}
+
+#[test]
+fn a_check_of_a_scene_that_cannot_be_reached_says_so() {
+    let text = check(&["check", &asset("slip-off")], 0).out;
+    assert!(!text.contains("does not reach"), "{text}");
+    let mut scene = Scene::from_toml_bytes(&fs::read(asset("narrow-gap")).unwrap()).unwrap();
+    scene.actuation.pull_mm = 60.0;
+    let input = scene.to_toml().unwrap();
+    let state = check_with(&["solve", "-"], input.as_bytes(), 3);
+    let text = check_with(&["check", "-"], input.as_bytes(), 0).out;
+    assert!(
+        text.contains("Caution: A solve does not reach the pull: "),
+        "{text} {}",
+        state.err
+    );
+}
+
+#[test]
+fn no_zero_has_a_sign() {
+    // Sines of half turns, offsets from the base, and sums that cancel: all
+    // checked where anything is printed.
+    for angle in ["-90", "180"] {
+        for (pull, base) in [
+            ("0", "[-0.0, 0]"),
+            ("5", "[1e-5, -1e-5]"),
+            ("-5", "[0, -0.0]"),
+        ] {
+            let scene = format!(
+                "version = 1\nactuation.pull_mm = {pull}\n[robot]\nlength_mm = 180\nsegments = 18\n\
+                 cable_offset_mm = 8\nbase_angle_deg = {angle}\nbase_mm = {base}\n\
+                 bending_stiffness_nmm2 = 8700\n"
+            );
+            for args in [
+                &["solve", "-"][..],
+                &["solve", "-", "--format", "json"],
+                &["solve", "-", "--format", "csv"],
+                &["solve", "-", "--path", "3"],
+                &["solve", "-", "--path", "3", "--format", "csv"],
+                &["check", "-"],
+                &["force", "-", "--loads", "100"],
+                &["force", "-", "--loads", "100", "--format", "json"],
+                &["force", "-", "--loads", "100", "--format", "csv"],
+                &["draw", "-", "-o", "-"],
+            ] {
+                check_with(args, scene.as_bytes(), 0);
+            }
+        }
+    }
+    assert_eq!(signed_zero("x -0.00 mm"), Some("-0.00"));
+    assert_eq!(signed_zero("[1.0,-0.0]"), Some("-0.0"));
+    assert_eq!(signed_zero("−0°, -0.01, 1e-0, 0.0"), Some("−0"));
+}
+
+#[test]
+fn what_presses_has_a_force() {
+    // Without pull eq. 5 has no energy, and nothing that an obstacle pushes
+    // aside needs a force.
+    let scene = PIN
+        .replacen("6.3", "0", 1)
+        .replacen("[30, 105]", "[6, 105]", 1);
+    let scene = scene.replacen("radius_mm = 0.5", "radius_mm = 12", 1);
+    let at_rest = json_of_input(&["solve", "-", "--format", "json"], scene.as_bytes());
+    let pulled = json_of_input(
+        &["solve", "-", "--pull", "0.1", "--format", "json"],
+        scene.as_bytes(),
+    );
+    let mut classes = Vec::new();
+    for state in [&at_rest, &pulled] {
+        assert!(!list(&state["contacts"]).is_empty());
+        for contact in list(&state["contacts"]) {
+            let presses = number(&contact["multiplier"]) > 0.0;
+            assert_eq!(contact["class"] == "pressing", presses, "{contact}");
+            classes.push(presses);
+        }
+    }
+    assert!(!classes[0] && classes.contains(&true), "{classes:?}");
 }
 
 #[test]
@@ -580,6 +768,60 @@ fn control_characters_of_a_scene_do_not_reach_the_terminal() {
         assert!(!text.contains('\u{1b}') && !text.contains("low\ner"));
         assert!(text.contains("low\\ner"), "{text}");
     }
+}
+
+#[test]
+fn characters_that_turn_a_text_do_not_reach_the_terminal() {
+    let steers = |c: char| {
+        (c.is_control() && c != '\n') || matches!(c, '\u{202e}' | '\u{2066}' | '\u{2028}')
+    };
+    let tricky = PIN
+        .replacen(
+            "version",
+            "title = \"free\u{202e}gnp.exe\u{2066}\"\nversion",
+            1,
+        )
+        .replacen("\"pin\"", "\"p\u{2028}i\\u009bn\u{202e}\"", 1)
+        .replacen("[30, 105], radius_mm = 0.5", "[30, 105], radius_mm = 12", 1);
+    for args in [
+        &["solve", "-"][..],
+        &["solve", "-", "--path", "3"],
+        &["solve", "-", "--format", "json"],
+        &["check", "-"],
+        &["force", "-"],
+        &["force", "-", "--format", "json"],
+        &["draw", "-", "-o", "-"],
+    ] {
+        let ran = check_with(args, tricky.as_bytes(), 0);
+        assert!(!ran.out.contains(steers), "{args:?}: {}", ran.out);
+    }
+    // In what is refused, and in what was asked.
+    let named = tricky.replacen("radius_mm = 12", "radius_mm = 1000", 1);
+    let ran = check_with(&["check", "-"], named.as_bytes(), 2);
+    assert!(
+        ran.err.contains("\\u{202e}") && !ran.err.contains(steers),
+        "{}",
+        ran.err
+    );
+    for args in [
+        &["solve", "a\u{202e}b\u{1b}[2J.toml"][..],
+        &["solve", "--format", "a\u{202e}b"],
+        &["a\u{1b}[2J"],
+    ] {
+        let err = check(args, 2).err;
+        assert!(!err.contains(steers), "{err:?}");
+    }
+}
+
+#[test]
+fn a_number_with_its_unit_is_told_how_to_be_written() {
+    let scene = "version = 1\n[actuation]\npull_mm = 4.9 mm\n";
+    check_refused(
+        &["check", "-"],
+        scene.as_bytes(),
+        "standard input: line 3, column 11 is not valid TOML: write the number alone, \
+         `pull_mm = 4.9`; the end of its key names the unit, millimetres",
+    );
 }
 
 #[test]

@@ -9,7 +9,7 @@ use sinew::app::panels::tables;
 use sinew::app::{Preferences, Selection, Sinew, State};
 use sinew::equilibrium::Certificate;
 use sinew::forces::{Statics, Stiffness};
-use sinew::scene::{Scene, Shape};
+use sinew::scene::{Candidates, Scene, Shape};
 use sinew::view::{Standing, outcome};
 
 type Window = Harness<'static, Sinew>;
@@ -341,6 +341,34 @@ fn the_certificate_tells_the_numbers_of_the_solution() {
     window.get_by_label("Status: Converged").click();
     window.run();
     assert!(!told(&window, "Stationarity"));
+}
+
+#[test]
+fn cautions_stand_beside_the_certificate_with_what_helps() {
+    let text = r#"
+        version = 1
+        robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
+        actuation = { pull_mm = 6.3 }
+        obstacle = [{ name = "Pin", shape = "disc", center_mm = [30, 105], radius_mm = 0.5 }]
+    "#;
+    let pin = Scene::from_toml(text).unwrap();
+    let mut window = window(Some(pin), [1280.0, 800.0], Theme::Light);
+    let caution = "Pin stands between backbone and cable below node 12";
+    assert!(!told(&window, caution));
+    select(&mut window, "Status: Converged");
+    assert!(told(&window, caution));
+    select(&mut window, "Let the whole body touch");
+    assert_eq!(scene(&window).contact.candidates, Candidates::Body);
+    assert!(!told(&window, caution));
+    assert_eq!(state(&window).live.solution().unwrap().contacts.len(), 1);
+    assert!(state(&window).live.cautions().is_empty());
+    // A cable that would have to push has no such remedy.
+    let scene = &mut window.state_mut().state_mut().document.scene;
+    scene.obstacles.clear();
+    scene.actuation.pull_mm = -3.0;
+    window.run();
+    assert!(told(&window, "cable would have to push"));
+    assert!(!told(&window, "Let the whole body touch"));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! the drawing of it.
 
 use super::backend::SolverBackend;
-use crate::equilibrium::{Event, Occurrence, Solution, Status};
+use crate::equilibrium::{Caution, Event, Occurrence, Solution, Status};
 use crate::explore::Path;
 use crate::geometry::Vector;
 use crate::model::Problem;
@@ -192,6 +192,15 @@ impl Live {
     /// The last answer's solution.
     pub fn solution(&self) -> Option<&Solution> {
         self.shape.as_ref().map(|shape| &shape.solution)
+    }
+
+    /// What the last answer does not promise; nothing while a request has no
+    /// answer yet.
+    pub fn cautions(&self) -> &[Caution] {
+        match &self.shape {
+            Some(shape) if !self.is_waiting() => &shape.cautions,
+            _ => &[],
+        }
     }
 
     /// Whether what is shown is the certified answer to what was last asked.

@@ -6,6 +6,7 @@ use super::files::autosave::Stored;
 use super::files::{faults_of, scene_from};
 use super::platform::Native;
 use super::{Preferences, Sinew};
+use crate::report::on_a_terminal;
 use crate::scene::Scene;
 use eframe::egui::{Context, ViewportBuilder, vec2};
 use std::ffi::OsString;
@@ -52,7 +53,8 @@ pub fn open(opening: &Opening) -> ExitCode {
             Ok((scene, file)) => (Some(scene), Some(file)),
             Err(faults) => {
                 for fault in faults {
-                    eprintln!("error: {}: {fault}", file.display());
+                    let text = format!("{}: {fault}", file.display());
+                    eprintln!("error: {}", on_a_terminal(&text));
                 }
                 return ExitCode::from(2);
             }

@@ -2,7 +2,7 @@
 //! words of files and of the command line are the library's.
 
 use crate::app::look::icons;
-use crate::equilibrium::{Conflict, Event, Occurrence, Solution, Status};
+use crate::equilibrium::{Caution, Conflict, Event, Occurrence, Solution, Status};
 use crate::model::Line;
 use crate::scene::{Obstacle, Scene, SceneError, Shape};
 use crate::units::millimetres;
@@ -154,6 +154,11 @@ pub fn outcome(solution: &Solution, scene: &Scene) -> String {
         }
         _ => sentence(&reason(solution)),
     }
+}
+
+/// A caution as a sentence, which names obstacles by their names.
+pub fn caution(caution: &Caution, scene: &Scene) -> String {
+    sentence(&caution.sentence(|index| obstacle_of(scene, index)))
 }
 
 /// What happened, after its pull.

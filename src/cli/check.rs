@@ -4,9 +4,13 @@
 use std::io::{self, Write};
 
 use super::arguments::Check;
-use super::output::{printable, reader};
+use super::output::{Labels, printable, reader};
+use super::progress::Progress;
+use super::solve::{RESOLUTION, finish};
 use super::{Failure, Outcome};
 use super::{compare, input};
+use crate::equilibrium::{Caution, Run, Settings, Start, Status};
+use crate::math::{decimals, unsigned_zero};
 use crate::model::Problem;
 use crate::scene::limits::shown;
 use crate::scene::{Candidates, Scene};
@@ -19,34 +23,62 @@ pub(super) fn run(what: &Check) -> Result<Outcome, Failure> {
     let (scene, problem) = input::problem(&what.scene, None)?;
     // What `compare` would refuse is a fault, too.
     compare::held(&scene, &problem, &input::origin(&what.scene))?;
-    let text = summary(&scene, &problem);
+    let mut text = summary(&scene, &problem);
+    for sentence in cautions(&scene, &problem) {
+        text.push_str(&format!("\nCaution: {sentence}"));
+    }
     reader(writeln!(io::stdout().lock(), "{text}"))?;
     Ok(Outcome::Done)
+}
+
+/// What to know of the scene's shape. It is solved for this: whether a link
+/// crosses an obstacle depends on the shape alone, and finding it takes less
+/// time than reading the file. How the solve ends is no fault of the scene.
+fn cautions(scene: &Scene, problem: &Problem) -> Vec<String> {
+    let mut run = Run::new(problem, Start::Straight, Settings::default());
+    let mut progress = Progress::new("solving", RESOLUTION);
+    finish(&mut run, |run| {
+        progress.at((run.share() * f64::from(RESOLUTION)) as u32);
+    });
+    drop(progress);
+    let labels = Labels::of(scene, problem);
+    let found = Caution::all(run.problem(), run.solution());
+    let mut sentences: Vec<String> = found.iter().map(|one| labels.caution(one)).collect();
+    if run.solution().status != Status::Converged {
+        let reason = run.solution().status.reason();
+        sentences.push(format!("A solve does not reach the pull: {reason}."));
+    }
+    sentences
 }
 
 fn summary(scene: &Scene, problem: &Problem) -> String {
     let robot = &scene.robot;
     let title = scene.title.as_deref().unwrap_or("untitled");
     let (least, most) = problem.robot().pull_range();
-    let [base_x, base_y] = robot.base_mm.map(shown);
+    let [base_x, base_y] = robot.base_mm.map(number);
     [
         format!("{}: no faults.", printable(title)),
         format!(
             "The robot is {} mm long in {} segments, with a disk every {} and the cable {} mm beside the backbone; its base is at ({base_x}, {base_y}) mm.",
-            shown(robot.length_mm),
+            number(robot.length_mm),
             robot.segments,
             robot.segments_per_bay,
-            shown(robot.cable_offset_mm),
+            number(robot.cable_offset_mm),
         ),
         format!(
-            "The pull is {} mm; the segments allow {:.1} to {:.1} mm.",
-            shown(scene.actuation.pull_mm),
-            millimetres(least),
-            millimetres(most),
+            "The pull is {} mm; the segments allow {} to {} mm.",
+            number(scene.actuation.pull_mm),
+            decimals(millimetres(least), 1),
+            decimals(millimetres(most), 1),
         ),
         obstacles(scene),
     ]
     .join("\n")
+}
+
+/// A number of the file, with no sign where it is zero.
+fn number(value: f64) -> String {
+    shown(unsigned_zero(value))
 }
 
 fn obstacles(scene: &Scene) -> String {

@@ -7,13 +7,14 @@ use serde::Serialize;
 
 use super::arguments::{Compare, Format};
 use super::input::{self, BadInput};
-use super::output::{printable, reader, record};
+use super::output::{object, printable, reader, record};
 use super::{Failure, Outcome, tables};
 use crate::equilibrium::{Settings, Solution, Start, Status, solve};
 use crate::experiments::{
     Axis, Chart, Mark, Measured, Series, ShapeError, ShapeFit, best_pull, compare,
 };
 use crate::geometry::Vector;
+use crate::math::{decimals, shortest};
 use crate::model::Problem;
 use crate::report::chart;
 use crate::scene::Scene;
@@ -59,9 +60,8 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
     let mut out = BufWriter::new(io::stdout().lock());
     let written = match what.format {
         Format::Text => text(&mut out, &found),
-        Format::Json => serde_json::to_writer(&mut out, &found)
-            .map_err(io::Error::from)
-            .and_then(|()| writeln!(out)),
+        Format::Json => object(&mut out, &found),
+
         Format::Csv => csv(&mut out, &found),
     };
     reader(written.and_then(|()| out.flush()))?;
@@ -154,7 +154,8 @@ impl Found {
 
 fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
     writeln!(out, "{}\n", found.title)?;
-    writeln!(out, "  pull     {:.3} mm ({})", found.pull_mm, found.pull)?;
+    let pull = decimals(found.pull_mm, 3);
+    writeln!(out, "  pull     {pull} mm ({})", found.pull)?;
     writeln!(
         out,
         "  RMS      {:.3} mm, {:.2} % of the length",
@@ -178,7 +179,7 @@ fn csv(out: &mut impl Write, found: &Found) -> io::Result<()> {
     record(&mut table, ["row", "x_mm", "y_mm", "distance_mm"])?;
     for point in &found.points {
         let numbers = [point.x_mm, point.y_mm, point.distance_mm];
-        let numbers = numbers.iter().map(|value| format!("{value:?}"));
+        let numbers = numbers.iter().map(|value| shortest(*value));
         let row = point.row.to_string();
         record(&mut table, std::iter::once(row).chain(numbers))?;
     }
@@ -199,7 +200,7 @@ fn both(problem: &Problem, solution: &Solution, measured: &Measured, fit: &Shape
         y: axis("y"),
         series: vec![
             Series::new(
-                format!("computed, pull {:.2} mm", millimetres(fit.pull)),
+                format!("computed, pull {} mm", decimals(millimetres(fit.pull), 2)),
                 Mark::Line,
                 solution.backbone().map(point).collect(),
             ),

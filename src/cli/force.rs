@@ -7,13 +7,14 @@ use serde::Serialize;
 
 use super::arguments::{Force, Format, Motion};
 use super::input::{self, BadInput};
-use super::output::{printable, reader};
+use super::output::{object, printable, reader};
 use super::{Failure, Outcome, force_text, numbers};
 use crate::equilibrium::{Settings, Start, Status, solve};
 use crate::forces::{
     Loading, Profile, Rates, Stiffness, Sweep, SweepError, VirtualWork, Window, part_name,
     share_of_tension,
 };
+use crate::math::shortest;
 use crate::model::Problem;
 use crate::scene::{Measurements, Scene};
 use crate::units::{
@@ -218,7 +219,7 @@ fn estimate(
         rows.push(Row {
             load_g: *load_g,
             force_x_g: grams(force.x),
-            force_y_g: grams(force.y) + 0.0,
+            force_y_g: grams(force.y),
             multipliers: loading
                 .as_ref()
                 .map(|(_, _, loading)| loaded(scene, problem, &loading.states[index])),
@@ -340,14 +341,14 @@ fn loaded(scene: &Scene, problem: &Problem, state: &crate::forces::Loaded) -> Lo
             point_mm: [millimetres(contact.point.x), millimetres(contact.point.y)],
             normal: [contact.normal.x, contact.normal.y],
             force_g: grams(force.normal_force),
-            on_robot_n: [force.on_robot.x + 0.0, force.on_robot.y + 0.0],
+            on_robot_n: [force.on_robot.x, force.on_robot.y],
         }
     });
     Loaded {
         pull_mm: millimetres(state.pull),
         tension_g: grams(statics.tension),
-        force_g: grams(total) + 0.0,
-        force_n: total + 0.0,
+        force_g: grams(total),
+        force_n: total,
         contacts: contacts.collect(),
         clamp_force_n: [statics.clamp.force.x, statics.clamp.force.y],
         clamp_moment_n_mm: millimetres(statics.clamp.moment),
@@ -357,8 +358,7 @@ fn loaded(scene: &Scene, problem: &Problem, state: &crate::forces::Loaded) -> Lo
 }
 
 fn json(out: &mut impl Write, found: &Found) -> io::Result<()> {
-    serde_json::to_writer(&mut *out, found)?;
-    writeln!(out)
+    object(out, found)
 }
 
 fn csv(out: &mut impl Write, found: &Found) -> io::Result<()> {
@@ -373,7 +373,7 @@ fn csv(out: &mut impl Write, found: &Found) -> io::Result<()> {
         if let Some(loaded) = &row.multipliers {
             fields.extend([loaded.pull_mm, loaded.tension_g, loaded.force_g]);
         }
-        let fields = fields.iter().map(|value| format!("{value:?}"));
+        let fields = fields.iter().map(|value| shortest(*value));
         super::output::record(&mut table, fields)?;
     }
     table.flush()

@@ -4,6 +4,8 @@ use std::io::{self, Write};
 
 use super::force::Found;
 use crate::experiments::shown;
+use crate::math::{decimals, unsigned_zero};
+use crate::scene::limits;
 
 /// The report: the lines of virtual work, the multipliers, the table of loads.
 pub(super) fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
@@ -16,8 +18,10 @@ pub(super) fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
     };
     writeln!(
         out,
-        "  motion   node {} of the {whose}, pulls of {first} to {last} mm",
-        found.node
+        "  motion   node {} of the {whose}, pulls of {} to {} mm",
+        found.node,
+        shown_mm(first),
+        shown_mm(last)
     )?;
     for (name, line, unit) in [
         ("x", &found.x, "mm"),
@@ -63,8 +67,9 @@ fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
             match known.contact_pull_mm {
                 Some(pull) => writeln!(
                     out,
-                    "  contact  from a pull of {pull:.3} mm, with {:.1} g on the cable; loads count from there",
-                    known.datum_g
+                    "  contact  from a pull of {} mm, with {} g on the cable; loads count from there",
+                    decimals(pull, 3),
+                    decimals(known.datum_g, 1)
                 )?,
                 None => writeln!(out, "  contact  none; loads count from the straight robot")?,
             }
@@ -74,7 +79,7 @@ fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
             "  Forces need a stiffness: --ei, --rod, --weighed or the scene's. Without one:"
         )?,
     }
-    let pull_mm = found.pull_mm;
+    let pull_mm = shown_mm(found.pull_mm);
     if found.contacts.is_empty() {
         writeln!(out, "  At a pull of {pull_mm} mm nothing touches.")?;
     }
@@ -83,7 +88,8 @@ fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
             let name = &contact.contact;
             writeln!(
                 out,
-                "  At a pull of {pull_mm} mm: {share:.5} of the cable's tension at {name} (node {})",
+                "  At a pull of {pull_mm} mm: {} of the cable's tension at {name} (node {})",
+                decimals(share, 5),
                 contact.node
             )?;
         }
@@ -119,14 +125,19 @@ fn table(out: &mut impl Write, found: &Found) -> io::Result<()> {
             let parts = parts.map(|c| format!("{} g at {}", shown(c.force_g, 2), c.contact));
             write!(
                 out,
-                "  {:>8.3}  {:>8.1}  {:>8.2}  {}",
-                loaded.pull_mm,
-                loaded.tension_g,
-                loaded.force_g,
+                "  {:>8}  {:>8}  {:>8}  {}",
+                decimals(loaded.pull_mm, 3),
+                decimals(loaded.tension_g, 1),
+                decimals(loaded.force_g, 2),
                 parts.collect::<Vec<_>>().join("; ")
             )?;
         }
         writeln!(out)?;
     }
     Ok(())
+}
+
+/// A number that was given, in as many digits.
+fn shown_mm(value: f64) -> String {
+    limits::shown(unsigned_zero(value))
 }

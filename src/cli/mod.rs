@@ -26,7 +26,7 @@ use clap::Parser;
 
 use arguments::{Arguments, Command};
 use input::BadInput;
-use output::reader;
+use output::{printable, reader};
 
 /// How a command ended, where it could do its work.
 enum Outcome {
@@ -52,8 +52,7 @@ pub fn run() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
-            // Help and usage. Where nobody reads them, nobody reads about it.
-            let _ = error.print();
+            explain(&error);
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
@@ -89,8 +88,21 @@ fn schema() -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
+/// Help and usage. Where nobody reads them, nobody reads about it.
+fn explain(error: &clap::Error) {
+    let plain = error.render().to_string();
+    let lines: Vec<String> = plain.lines().map(printable).collect();
+    let safe = lines.join("\n");
+    // In colour, unless an argument that is told of would do more than colour.
+    let _ = if safe.trim_end() == plain.trim_end() {
+        error.print()
+    } else {
+        writeln!(io::stderr().lock(), "{}", safe.trim_end())
+    };
+}
+
 /// One line on standard error. Unlike `eprintln!`, it survives that being
 /// closed.
 fn complain(text: &str) {
-    let _ = writeln!(io::stderr().lock(), "error: {text}");
+    let _ = writeln!(io::stderr().lock(), "error: {}", printable(text));
 }

@@ -9,9 +9,10 @@ use serde::Serialize;
 use super::arguments::{Report, Reproduce};
 use super::draw::named;
 use super::input::BadInput;
-use super::output::{printable, reader};
+use super::output::{object, paragraph, printable, reader};
 use super::{Failure, Outcome, tables};
 use crate::experiments::{self, Axis, Chart, Check, Id, Item, Picture};
+use crate::math::shortest;
 use crate::report::{chart, page, svg};
 use crate::view::{Notes, draw};
 
@@ -114,11 +115,7 @@ fn curves(one: &Chart) -> io::Result<String> {
     let mut rows = vec![vec!["curve".to_owned(), head(&one.x), head(&one.y)]];
     for series in &one.series {
         for (x, y) in &series.points {
-            rows.push(vec![
-                series.name.clone(),
-                format!("{x:?}"),
-                format!("{y:?}"),
-            ]);
+            rows.push(vec![series.name.clone(), shortest(*x), shortest(*y)]);
         }
     }
     csv_text(&rows)
@@ -136,7 +133,7 @@ fn comparison(checks: &[Check]) -> io::Result<String> {
         "verdict",
     ];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
-    let number = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:?}"));
+    let number = |value: Option<f64>| value.map_or(String::new(), shortest);
     for check in checks {
         rows.push(vec![
             check.quantity.clone(),
@@ -200,20 +197,6 @@ fn label(check: &Check) -> String {
         "" => check.quantity.clone(),
         unit => format!("{}, {unit}", check.quantity),
     }
-}
-
-/// Text in lines of a readable length.
-fn paragraph(out: &mut impl Write, start: &str, text: &str) -> io::Result<()> {
-    let mut line = start.to_owned();
-    for word in text.split_whitespace() {
-        if line.chars().count() + word.chars().count() > 88 && !line.trim().is_empty() {
-            writeln!(out, "{}", line.trim_end())?;
-            line = "  ".to_owned();
-        }
-        line.push_str(word);
-        line.push(' ');
-    }
-    writeln!(out, "{}", line.trim_end())
 }
 
 /// The version of the keys below.
@@ -310,6 +293,5 @@ fn json(out: &mut impl Write, items: &[Item]) -> io::Result<()> {
         schema: SCHEMA,
         items: items.collect(),
     };
-    serde_json::to_writer(&mut *out, &all)?;
-    writeln!(out)
+    object(out, &all)
 }

@@ -9,10 +9,11 @@ use super::progress::Progress;
 use super::timing::Timing;
 use super::{Failure, Outcome};
 use crate::equilibrium::{self, Run, Settings, Start, Status};
+use crate::forces::Stiffness;
 use crate::model::Problem;
 
 /// Steps of the progress bar of one solve.
-const RESOLUTION: u32 = 1000;
+pub(super) const RESOLUTION: u32 = 1000;
 /// Stages of the chain that a slice of a solve may go through, so that the bar
 /// moves: a few milliseconds.
 const SLICE: usize = 20_000;
@@ -27,14 +28,17 @@ pub(super) fn run(what: &Solve) -> Result<Outcome, Failure> {
     let (scene, problem) = input::problem(&what.scene, what.pull)?;
     let out = BufWriter::new(io::stdout().lock());
     let mut output = Output::new(out, what.format, Labels::of(&scene, &problem));
+    // Its range was checked with the scene's.
+    let stiffness = Stiffness::of_scene(&scene).ok().flatten();
     match what.path {
-        Some(steps) => path(&problem, steps, &mut output),
-        None => single(&problem, what.repeat, &mut output),
+        Some(steps) => path(&problem, stiffness, steps, &mut output),
+        None => single(&problem, stiffness, what.repeat, &mut output),
     }
 }
 
 fn single<W: Write>(
     problem: &Problem,
+    stiffness: Option<Stiffness>,
     repeat: Option<u32>,
     output: &mut Output<W>,
 ) -> Result<Outcome, Failure> {
@@ -44,7 +48,7 @@ fn single<W: Write>(
         progress.at((run.share() * f64::from(RESOLUTION)) as u32);
     });
     drop(progress);
-    let Some(mut state) = State::of(&run) else {
+    let Some(mut state) = State::of(&run, stiffness) else {
         return Ok(not_finite(problem));
     };
     let outcome = outcome(&run, problem);
@@ -56,7 +60,12 @@ fn single<W: Write>(
     Ok(outcome)
 }
 
-fn path<W: Write>(goal: &Problem, steps: u32, output: &mut Output<W>) -> Result<Outcome, Failure> {
+fn path<W: Write>(
+    goal: &Problem,
+    stiffness: Option<Stiffness>,
+    steps: u32,
+    output: &mut Output<W>,
+) -> Result<Outcome, Failure> {
     let mut target = goal.clone();
     target.set_pull(0.0);
     let mut run = Run::new(&target, Start::Straight, Settings::default());
@@ -69,7 +78,7 @@ fn path<W: Write>(goal: &Problem, steps: u32, output: &mut Output<W>) -> Result<
             run.retarget(&target);
         }
         finish(&mut run, |_| progress.at(step));
-        let Some(state) = State::of(&run) else {
+        let Some(state) = State::of(&run, stiffness) else {
             ended = not_finite(&target);
             break;
         };

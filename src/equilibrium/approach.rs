@@ -23,12 +23,15 @@ pub(super) struct Seed {
 /// The seed of an obstacle that overlaps the robot's nodes; `None` where it is
 /// clear of them.
 pub(super) fn seed(problem: &Problem, obstacle: &Obstacle, nodes: &[PlanarNode]) -> Option<Seed> {
-    let mut deepest = (0.0, None);
+    // One that only touches is clear: which of the two it is, rounding must
+    // not decide.
+    let touching = -problem.robot().touching();
+    let mut deepest = (touching, None);
     let mut points = Vec::new();
     for candidate in problem.candidates() {
         let mut least = f64::INFINITY;
         candidate.clearances(nodes, obstacle, |_, clearance| least = least.min(clearance));
-        if least < 0.0 {
+        if least < touching {
             let (start, end) = candidate.ends(nodes);
             points.push((start, candidate.radius));
             points.push((end, candidate.radius));

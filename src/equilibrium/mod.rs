@@ -14,12 +14,14 @@
 //! ```
 
 mod approach;
+mod caution;
 mod certificate;
 mod event;
 mod run;
 mod solution;
 mod status;
 
+pub use caution::Caution;
 pub use certificate::{Certificate, Certifier};
 pub use event::{Event, Occurrence};
 pub use run::{Progress, Run, Settings, Start, solve};

@@ -16,41 +16,24 @@
 
 mod ending;
 mod follow;
+mod frame;
 mod history;
+mod settings;
 mod step;
+
+pub use settings::Settings;
 
 use super::approach;
 use super::event::{Event, Occurrence};
 use super::solution::Solution;
 use super::status::{EndReason, Status};
-use crate::geometry::Obstacle;
+use crate::geometry::{Obstacle, Vector};
 use crate::model::{PlanarNode, Problem};
 use crate::solver::{
     Chain, Control, Outcome, Progress as SolveProgress, RowId, Settings as SolveSettings, Sqp,
     Tunnelling,
 };
-
-/// Limits of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// Iterations of the whole run before it is given up.
-    pub iterations: usize,
-    /// Greatest change of the pull in a step, over the cable offset: 1/16 turns
-    /// the free robot's tip by 3.6°, a tenth of a segment's usual reach.
-    pub pull_step: f64,
-    /// Greatest motion of an obstacle in a step, over the backbone's length.
-    pub obstacle_step: f64,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            iterations: 50_000,
-            pull_step: 1.0 / 16.0,
-            obstacle_step: 1.0 / 40.0,
-        }
-    }
-}
+use frame::at_base;
 
 /// What a run starts from.
 #[derive(Clone, Copy, Debug)]
@@ -123,6 +106,12 @@ enum Phase {
 #[derive(Clone, Debug)]
 pub struct Run {
     settings: Settings,
+    /// The base's place in the world. Every problem and shape below is relative
+    /// to it, so that a robot far from the world's origin keeps its digits; only
+    /// the solution is in the world.
+    origin: Vector,
+    /// `now` in the world, where that is not the same.
+    world: Option<Problem>,
     /// Where the present leg starts and ends, and the problem in between that
     /// is being solved.
     from: Problem,
@@ -169,8 +158,14 @@ pub fn solve(problem: &Problem, start: Start<'_>, settings: Settings) -> Solutio
 impl Run {
     /// A run to `problem`.
     pub fn new(problem: &Problem, start: Start<'_>, settings: Settings) -> Self {
+        let origin = problem.base().position;
+        let elsewhere = origin != Vector::zeros();
+        let world = elsewhere.then(|| problem.clone());
+        let problem = &*at_base(problem);
         let mut run = Self {
             settings,
+            origin,
+            world,
             from: problem.clone(),
             to: problem.clone(),
             now: problem.clone(),
@@ -212,9 +207,19 @@ impl Run {
             *self = Self::new(problem, Start::Straight, self.settings);
             return;
         }
+        let origin = std::mem::replace(&mut self.origin, problem.base().position);
+        self.go_to(&at_base(problem), origin);
+    }
+
+    /// Changes the goal to a problem relative to its base. `from` is where the
+    /// base of the present problem is in the world.
+    fn go_to(&mut self, problem: &Problem, from: Vector) {
         self.goal.clone_from(problem);
         self.set_now(self.at);
-        let same_robot = self.now.robot() == problem.robot() && self.now.same_candidates(problem);
+        self.show_world();
+        let same_robot = from == self.origin
+            && self.now.robot() == problem.robot()
+            && self.now.same_candidates(problem);
         if !same_robot {
             self.start_straight();
         } else if self.now.resembles(problem) && !reordered(&self.now, problem) {
@@ -264,7 +269,7 @@ impl Run {
     /// The problem that [`Run::solution`] is a solution of: the goal, or the
     /// last one on the way to it that has an equilibrium.
     pub fn problem(&self) -> &Problem {
-        &self.now
+        self.world.as_ref().unwrap_or(&self.now)
     }
 
     /// How far the run has got, from 0 to 1. Growing obstacles that overlap the
@@ -296,10 +301,13 @@ impl Run {
             self.anchor.nodes.push(node);
         }
         self.solution.nodes.clone_from(&self.anchor.nodes);
+        self.solution.move_by(self.origin);
         self.meet_obstacles(&[], 0.0);
     }
 
     fn start_from(&mut self, problem: &Problem, solution: &Solution) {
+        let origin = problem.base().position;
+        let problem = &*at_base(problem);
         let turns = solution.turns.iter();
         let controls: Vec<Control<1>> = turns.map(|turn| Control::from_element(*turn)).collect();
         let fits = controls.len() == problem.stages() && controls.iter().all(|u| u[0].is_finite());
@@ -320,8 +328,10 @@ impl Run {
             self.to = problem.clone();
             self.now = problem.clone();
             self.take_anchor();
+            self.solution.events.clear();
+            self.iterations = 0;
             let goal = self.goal.clone();
-            self.retarget(&goal);
+            self.go_to(&goal, origin);
         } else {
             self.solution.events.push(Event {
                 pull: self.goal.pull(),
@@ -341,6 +351,7 @@ impl Run {
         self.started.resize(self.now.stages(), Control::zeros());
         self.sqp.start(&self.now, &self.started, &[], settings);
         self.solution.nodes.clone_from(&self.sqp.point().nodes);
+        self.solution.move_by(self.origin);
         self.phase = Phase::Direct;
     }
 

@@ -5,13 +5,12 @@ use super::event::Event;
 use super::status::Status;
 use crate::geometry::Vector;
 use crate::math::PackedCholesky;
-use crate::model::{Line, PlanarNode, Problem, RowKind};
+use crate::model::{Line, PlanarNode, Problem, Robot, RowKind};
 use crate::solver::{Control, Iteration, Point, RowId};
 use serde::{Deserialize, Serialize};
 
-/// Clearances within this share of the backbone's length of zero count as
-/// touching: well above the solver's 1e-12, well below anything visible.
-const TOUCHING: f64 = 1e-9;
+/// Well above the solver's 1e-12.
+const TOUCHING: f64 = Robot::TOUCHING;
 /// Multipliers of the scaled problem above this, over the backbone's length,
 /// press: the solver's zeros are exact, so this only guards against rounding.
 const PRESSING: f64 = 1e-9;
@@ -227,6 +226,16 @@ impl Solution {
         self.certificate = self.certifier.certify(problem, points, &self.contacts);
     }
 
+    /// Moves the shape as a whole.
+    pub(super) fn move_by(&mut self, by: Vector) {
+        if by != Vector::zeros() {
+            self.nodes.iter_mut().for_each(|node| node.position += by);
+            self.contacts
+                .iter_mut()
+                .for_each(|contact| contact.point += by);
+        }
+    }
+
     fn find_contacts(
         &mut self,
         problem: &Problem,
@@ -240,10 +249,13 @@ impl Solution {
         self.contacts.clear();
         self.unique_split = true;
         for (row, &multiplier) in point.rows.iter().zip(multipliers) {
-            let pressing = multiplier * length > PRESSING;
-            if !pressing && row.value > TOUCHING * length {
+            let active = multiplier * length > PRESSING;
+            if !active && row.value > TOUCHING * length {
                 continue;
             }
+            // Without pull the robot has no energy: what holds a row of the
+            // scaled problem then needs no force.
+            let multiplier = if active { multiplier * scale } else { 0.0 };
             let kind = RowKind::of(row.id, problem.obstacles().len());
             let RowKind::Contact {
                 candidate: index,
@@ -265,8 +277,8 @@ impl Solution {
                 point: place.point - (row.value + candidate.radius) * place.normal,
                 normal: place.normal,
                 clearance: row.value,
-                multiplier: if pressing { multiplier * scale } else { 0.0 },
-                class: if pressing {
+                multiplier,
+                class: if multiplier > 0.0 {
                     Class::Pressing
                 } else {
                     Class::Grazing

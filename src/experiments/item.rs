@@ -1,6 +1,7 @@
 //! What an experiment leaves for a report: plain data with labels, no layout.
 
 use crate::equilibrium::Solution;
+use crate::math::decimals;
 use crate::model::Problem;
 
 /// A figure or table of the paper that can be reproduced.
@@ -322,11 +323,6 @@ pub struct Picture {
 }
 
 /// A number as it is shown, with a minus sign.
-pub fn shown(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(size) if size.bytes().all(|b| matches!(b, b'0' | b'.')) => size.to_owned(),
-        Some(size) => format!("−{size}"),
-        None => text,
-    }
+pub fn shown(value: f64, count: usize) -> String {
+    decimals(value, count).replacen('-', "−", 1)
 }

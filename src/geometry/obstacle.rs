@@ -259,6 +259,23 @@ impl Obstacle {
         }
     }
 
+    /// Half of the outline's least width. Infinite for a half-plane.
+    pub fn half_width(&self) -> f64 {
+        if matches!(self.core, Core::HalfPlane) {
+            return f64::INFINITY;
+        }
+        // A convex polygon is narrowest across one of its edges.
+        let across = self.normals.iter().map(|normal| {
+            let heights = self.vertices.iter().map(|vertex| normal.dot(vertex));
+            let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| {
+                (low.min(h), high.max(h))
+            });
+            high - low
+        });
+        let core = across.reduce(f64::min).unwrap_or(0.0);
+        0.5 * core + self.radius
+    }
+
     /// A half-plane's outward normal.
     pub(super) fn wall_normal(&self) -> Vector {
         from_parry(
@@ -370,6 +387,19 @@ mod tests {
         assert!((c.support(Vector::x()).unwrap() - b.support(Vector::x()).unwrap()).abs() < 1e-15);
         c.set_between(&a, &b, 0.0);
         assert!((c.support(Vector::y()).unwrap() - a.support(Vector::y()).unwrap()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn an_outline_is_as_wide_as_its_narrowest_place() {
+        let check = |core, radius, expect: f64| {
+            let obstacle = Obstacle::new(core, radius, Vector::new(0.1, 0.2), 0.3);
+            let half = obstacle.half_width();
+            assert!(half == expect || (half - expect).abs() < 1e-15, "{half}");
+        };
+        check(Core::Point, 0.012, 0.012);
+        check(Core::segment(0.05), 0.004, 0.004);
+        check(Core::rectangle(0.04, 0.02), 0.005, 0.015);
+        check(Core::HalfPlane, 0.0, f64::INFINITY);
     }
 
     #[test]

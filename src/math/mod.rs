@@ -1,9 +1,11 @@
 //! Small numerical pieces that know nothing of robots, solvers or geometry.
 
 mod asinc;
+mod digits;
 mod greatest;
 mod packed_cholesky;
 
 pub use asinc::asinc;
+pub use digits::{decimals, shortest, unsigned_zero};
 pub use greatest::greatest;
 pub use packed_cholesky::PackedCholesky;

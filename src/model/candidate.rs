@@ -1,6 +1,8 @@
 //! Which parts of the robot may touch obstacles, and how they move with its
 //! nodes. It holds no clearances.
 
+use super::robot::Robot;
+use super::sizes::Sizes;
 use crate::geometry::{Edge, Obstacle, PointClearance, Vector};
 use crate::solver::State;
 use serde::{Deserialize, Serialize};
@@ -35,6 +37,26 @@ impl Line {
             Line::BackboneLink => "backbone_link",
             Line::CableLink => "cable_link",
             Line::Disk => "disk",
+        }
+    }
+
+    /// Whether its parts are points, which only a node moves, and not the
+    /// lines between them.
+    pub fn is_point(self) -> bool {
+        !matches!(self, Line::BackboneLink | Line::CableLink | Line::Disk)
+    }
+
+    /// The part of the robot that this line has at a node, in words: `the
+    /// cable between nodes 9 and 10`.
+    pub fn part(self, node: usize) -> String {
+        let link = |name| format!("the {name} between nodes {} and {node}", node - 1);
+        match self {
+            Line::Backbone | Line::Cable => format!("{} node {node}", self.name()),
+            Line::RimCableSide => format!("the cable-side rim at node {node}"),
+            Line::RimFarSide => format!("the far rim at node {node}"),
+            Line::BackboneLink => link("backbone"),
+            Line::CableLink => link("cable"),
+            Line::Disk => format!("the disk at node {node}"),
         }
     }
 }
@@ -136,6 +158,53 @@ impl Candidate {
             edge.joined = [self.node.checked_sub(2).and_then(at), at(self.node + 1)];
         }
         edge
+    }
+}
+
+impl Robot {
+    /// Everything solid between a node and the one before: both links, and the
+    /// node's disk where it has one. Of the base, which is node 0, the disk.
+    pub fn parts(&self, node: usize) -> Vec<Candidate> {
+        let Sizes {
+            rim,
+            disk,
+            backbone,
+            cable,
+        } = self.sizes;
+        // At the cable, and no thicker than it.
+        let rim_is_joint = rim <= self.offset && disk <= cable;
+        let part = |line, element, thickness: f64| Candidate {
+            line,
+            node,
+            element,
+            radius: 0.5 * thickness,
+            joins: match line {
+                Line::Backbone | Line::Cable => Joins::Links,
+                Line::RimFarSide => Joins::Disk,
+                Line::RimCableSide if rim_is_joint && node > 0 => Joins::Links,
+                Line::RimCableSide => Joins::Disk,
+                Line::BackboneLink | Line::CableLink | Line::Disk => Joins::Nothing,
+            },
+        };
+        let point = |lever| Element::Point { lever };
+        let link = |lever| Element::Link { lever };
+        let mut parts = Vec::new();
+        if node > 0 {
+            parts.extend([
+                part(Line::Backbone, point(0.0), backbone),
+                part(Line::Cable, point(self.offset), cable),
+                part(Line::BackboneLink, link(0.0), backbone),
+                part(Line::CableLink, link(self.offset), cable),
+            ]);
+        }
+        if self.has_disk(node) {
+            parts.extend([
+                part(Line::RimCableSide, point(rim), disk),
+                part(Line::RimFarSide, point(-rim), disk),
+                part(Line::Disk, Element::Across { lever: rim }, disk),
+            ]);
+        }
+        parts
     }
 }
 

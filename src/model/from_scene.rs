@@ -2,7 +2,8 @@
 
 use super::candidate::{Candidate, Element, Joins, Line};
 use super::node::PlanarNode;
-use super::problem::{Problem, Robot};
+use super::problem::Problem;
+use super::robot::Robot;
 use super::sizes::Sizes;
 use crate::geometry::{Core, Edge, Obstacle, Vector};
 use crate::scene::{self, Candidates, Scene, SceneError, Shape, limits::shown};
@@ -182,52 +183,12 @@ fn candidates(scene: &Scene, robot: &Robot) -> Vec<Candidate> {
             });
             listed.collect()
         }
-        Candidates::Body => nodes.flat_map(|i| body(robot, i)).collect(),
+        Candidates::Body => nodes.flat_map(|node| robot.parts(node)).collect(),
     }
 }
 
-/// Everything solid between a node and the one before: both links, and the
-/// node's disk where it has one.
-fn body(robot: &Robot, node: usize) -> Vec<Candidate> {
-    let Sizes {
-        rim,
-        disk,
-        backbone,
-        cable,
-    } = robot.sizes;
-    // At the cable, and no thicker than it.
-    let rim_is_joint = rim <= robot.offset && disk <= cable;
-    let part = |line, element, thickness: f64| Candidate {
-        line,
-        node,
-        element,
-        radius: 0.5 * thickness,
-        joins: match line {
-            Line::Backbone | Line::Cable => Joins::Links,
-            Line::RimFarSide => Joins::Disk,
-            Line::RimCableSide if rim_is_joint => Joins::Links,
-            Line::RimCableSide => Joins::Disk,
-            Line::BackboneLink | Line::CableLink | Line::Disk => Joins::Nothing,
-        },
-    };
-    let point = |lever| Element::Point { lever };
-    let link = |lever| Element::Link { lever };
-    let mut parts = vec![
-        part(Line::Backbone, point(0.0), backbone),
-        part(Line::Cable, point(robot.offset), cable),
-        part(Line::BackboneLink, link(0.0), backbone),
-        part(Line::CableLink, link(robot.offset), cable),
-    ];
-    if robot.has_disk(node) {
-        parts.push(part(Line::RimCableSide, point(rim), disk));
-        parts.push(part(Line::RimFarSide, point(-rim), disk));
-        parts.push(part(Line::Disk, Element::Across { lever: rim }, disk));
-    }
-    parts
-}
-
-/// Whether the obstacle overlaps what cannot move: the first disk. Listed
-/// nodes never include it.
+/// Whether the obstacle overlaps what cannot move, the first disk, by more
+/// than touching it. Listed nodes never include it.
 fn covers_base(robot: &Robot, scene: &Scene, obstacle: &Obstacle) -> bool {
     let base = robot.base;
     let (start, end, thickness) = match scene.contact.candidates {
@@ -238,13 +199,16 @@ fn covers_base(robot: &Robot, scene: &Scene, obstacle: &Obstacle) -> bool {
             (base.at(-rim), base.at(rim), 0.5 * disk)
         }
     };
+    let touching = robot.touching();
+    let least = thickness - touching;
     let mut covered = [start, end]
         .iter()
-        .any(|point| obstacle.clearance(*point).distance < thickness);
+        .any(|point| obstacle.clearance(*point).distance < least);
     if scene.contact.candidates == Candidates::Body {
-        covered |= obstacle.crossing_depth(start, end).is_some();
+        let depth = obstacle.crossing_depth(start, end);
+        covered |= depth.is_some_and(|depth| depth - obstacle.radius() > touching);
         obstacle.edge_clearances(&Edge::alone(start, end), |clearance| {
-            covered |= clearance.distance < thickness;
+            covered |= clearance.distance < least;
         });
     }
     covered

@@ -10,12 +10,14 @@ mod four_bar;
 mod from_scene;
 mod node;
 mod problem;
+mod robot;
 mod rows;
 mod sizes;
 
 pub use candidate::{Candidate, Element, Joins, Line};
 pub use four_bar::{FourBar, MOST_BEND, MOST_TURN};
 pub use node::PlanarNode;
-pub use problem::{Bend, Place, Problem, Robot};
+pub use problem::{Bend, Place, Problem};
+pub use robot::Robot;
 pub use rows::RowKind;
 pub use sizes::Sizes;

@@ -3,8 +3,8 @@
 use super::candidate::{Candidate, DiskPoint, Element};
 use super::four_bar::FourBar;
 use super::node::PlanarNode;
+use super::robot::Robot;
 use super::rows;
-use super::sizes::Sizes;
 use crate::geometry::{Obstacle, Vector, perpendicular};
 use crate::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State};
 use nalgebra::{SMatrix, matrix, vector};
@@ -12,45 +12,6 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::borrow::Cow;
 use std::sync::Arc;
-
-/// The robot's dimensions, in metres.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Robot {
-    /// Length of the backbone.
-    pub length: f64,
-    /// n, the number of segments.
-    pub segments: usize,
-    /// Segments between neighbouring disks.
-    pub segments_per_bay: usize,
-    /// The cable offset a.
-    pub offset: f64,
-    /// How thick its parts are.
-    pub sizes: Sizes,
-    /// Where the robot starts, and how its first disk points (0 for a robot
-    /// that rises along +y).
-    pub base: PlanarNode,
-}
-
-impl Robot {
-    /// Whether a node carries a disk.
-    pub fn has_disk(&self, node: usize) -> bool {
-        node.is_multiple_of(self.segments_per_bay)
-    }
-
-    /// Whether another robot moves like this one where the same parts may
-    /// touch: whether it is this one but for its sizes.
-    pub fn moves_like(&self, other: &Self) -> bool {
-        let sizes = self.sizes;
-        *self == Self { sizes, ..*other }
-    }
-
-    /// The pulls for which a linkage exists, in metres, ends included.
-    pub fn pull_range(&self) -> (f64, f64) {
-        let n = self.segments as f64;
-        let (least, most) = FourBar::shortening_range(self.length / n, self.offset);
-        (n * least, n * most)
-    }
-}
 
 /// A robot among obstacles at a pull. Every value of it can be solved for or
 /// shown not to be solvable; none is malformed.
@@ -201,6 +162,16 @@ impl Problem {
     /// If there is no obstacle of that index.
     pub fn set_obstacle(&mut self, index: usize, obstacle: Obstacle) {
         self.obstacles[index] = obstacle;
+    }
+
+    /// The problem moved as a whole by a vector.
+    pub fn moved(&self, by: Vector) -> Self {
+        let mut moved = self.clone();
+        moved.robot.base.position += by;
+        for obstacle in &mut moved.obstacles {
+            *obstacle = obstacle.moved(by);
+        }
+        moved
     }
 
     /// Whether the same robot meets obstacles of the same kinds in both, so

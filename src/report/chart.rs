@@ -2,7 +2,9 @@
 //! in print: series differ in mark as well as in hue, and every colour has a
 //! counterpart for dark backgrounds in [`STYLE`].
 
+use super::characters::printable;
 use crate::experiments::{Axis, Chart, Mark, Series};
+use crate::math::unsigned_zero;
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
@@ -53,7 +55,7 @@ pub struct ChartError {
 /// The text with what HTML would read as markup written out.
 pub fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
-    for character in text.chars() {
+    for character in printable(text).chars() {
         match character {
             '&' => safe.push_str("&amp;"),
             '<' => safe.push_str("&lt;"),
@@ -183,12 +185,8 @@ fn axis_name(axis: &Axis) -> String {
 
 /// A number at a grid line: as short as it is exact, with a minus sign.
 fn tick(value: f64) -> String {
-    let rounded = (value * 1e6).round() / 1e6 + 0.0;
-    let text = format!("{rounded}");
-    match text.strip_prefix('-') {
-        Some(size) => format!("−{size}"),
-        None => text,
-    }
+    let rounded = unsigned_zero((value * 1e6).round() / 1e6);
+    rounded.to_string().replacen('-', "−", 1)
 }
 
 /// The hue of a series: a dashed line has that of the line before it, whose
@@ -309,7 +307,7 @@ fn draw_legend(chart: &Chart, lines: &[Vec<usize>], area: &Area<'_>) -> Drawn {
                 plotters::style::text_anchor::HPos::Left,
                 plotters::style::text_anchor::VPos::Center,
             ));
-            area.draw(&Text::new(series.name.clone(), at(x + 31, y), style))?;
+            area.draw(&Text::new(printable(&series.name), at(x + 31, y), style))?;
             x += room(series);
         }
     }

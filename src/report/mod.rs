@@ -1,6 +1,7 @@
 //! Results as files' contents: drawings as SVG text and, with the
 //! features that need them, as PNG, charts and pages. It writes no files.
 
+mod characters;
 #[cfg(any(feature = "app", feature = "cli"))]
 pub mod chart;
 #[cfg(feature = "cli")]
@@ -10,3 +11,5 @@ pub mod page;
 pub mod png;
 pub mod svg;
 mod text;
+
+pub use characters::on_a_terminal;

@@ -55,16 +55,6 @@ pub fn cut(text: &str, size: f64, limit: f64) -> String {
     format!("{}…", kept.trim_end())
 }
 
-/// The text with a replacement for every character that XML forbids.
-pub fn printable(text: &str) -> String {
-    let shown = |c: char| {
-        let forbidden =
-            (c.is_control() && c != '\n' && c != '\t') || matches!(c, '\u{fffe}' | '\u{ffff}');
-        if forbidden { '\u{fffd}' } else { c }
-    };
-    text.chars().map(shown).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

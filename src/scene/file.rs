@@ -1,6 +1,6 @@
 //! Scenes from text and to text. Opens no files.
 
-use super::{Scene, SceneError, walk};
+use super::{Scene, SceneError, slip, walk};
 
 /// The largest scene text that is looked at, in bytes.
 ///
@@ -68,11 +68,6 @@ fn not_toml(text: &str, error: &toml::de::Error) -> SceneError {
     if message.contains("recurs") {
         return SceneError::TooDeep;
     }
-    let message = if message.starts_with("invalid type: integer") {
-        "this whole number is too large; write it with a decimal point if it is meant".to_owned()
-    } else {
-        message.to_owned()
-    };
     let before = error
         .span()
         .and_then(|span| text.get(..span.start))
@@ -80,6 +75,12 @@ fn not_toml(text: &str, error: &toml::de::Error) -> SceneError {
     let (line_start, line) = match before.rfind('\n') {
         Some(end) => (end + 1, before.matches('\n').count() + 1),
         None => (0, 1),
+    };
+    let whole_line = text[line_start..].lines().next().unwrap_or_default();
+    let message = if message.starts_with("invalid type: integer") {
+        "this whole number is too large; write it with a decimal point if it is meant".to_owned()
+    } else {
+        slip::advice(whole_line).unwrap_or_else(|| message.to_owned())
     };
     SceneError::NotToml {
         line,

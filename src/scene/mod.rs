@@ -38,6 +38,7 @@ mod polygon;
 mod robot;
 #[cfg(feature = "cli")]
 pub mod schema;
+mod slip;
 mod walk;
 
 use serde::{Deserialize, Serialize};

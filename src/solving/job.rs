@@ -1,7 +1,7 @@
 //! The work on a request: first the shape, then the path, which is not urgent.
 
 use super::{Request, Shape, StartFrom, Update};
-use crate::equilibrium::{Progress, Run, Settings, Start};
+use crate::equilibrium::{Caution, Progress, Run, Settings, Start};
 use crate::explore::PathRun;
 use crate::forces::Sweep;
 
@@ -69,10 +69,18 @@ impl Job {
         match run.advance(SLICE) {
             Progress::Running => Work::More,
             Progress::Done => {
+                let placed = run.obstacles_are_placed();
+                // The run does not follow changes of what cannot touch.
+                let of = if placed {
+                    &request.problem
+                } else {
+                    run.problem()
+                };
                 let shape = Shape {
                     generation: request.generation,
                     solution: run.solution().clone(),
-                    placed: run.obstacles_are_placed(),
+                    placed,
+                    cautions: Caution::all(of, run.solution()),
                 };
                 self.request = None;
                 Work::Found(Update::Shape(Box::new(shape)))

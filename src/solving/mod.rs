@@ -13,7 +13,7 @@ pub mod wire;
 
 pub use job::{Job, Work};
 
-use crate::equilibrium::Solution;
+use crate::equilibrium::{Caution, Solution};
 use crate::explore::Path;
 use crate::model::Problem;
 use serde::{Deserialize, Serialize};
@@ -68,4 +68,6 @@ pub struct Shape {
     pub solution: Solution,
     /// Whether the obstacles are where the request has them.
     pub placed: bool,
+    /// What the solution does not promise.
+    pub cautions: Vec<Caution>,
 }

@@ -1,6 +1,8 @@
 //! Numbers as people read them: rounded to what means something, with real
 //! minus signs, apart from their unit. It converts no units.
 
+use crate::math;
+
 /// The minus sign, U+2212.
 const MINUS: char = '\u{2212}';
 
@@ -17,7 +19,7 @@ impl Quantity {
     /// A value with so many decimals.
     pub fn fixed(value: f64, decimals: usize, unit: &'static str) -> Self {
         Self {
-            digits: with_minus(&format!("{value:.decimals$}")),
+            digits: with_minus(&math::decimals(value, decimals)),
             unit,
         }
     }
@@ -49,10 +51,9 @@ impl Quantity {
     }
 }
 
-/// The digits with U+2212 for hyphens, and none before a zero.
-fn with_minus(digits: &str) -> String {
+/// The digits with U+2212 for a hyphen before them.
+pub(crate) fn with_minus(digits: &str) -> String {
     match digits.strip_prefix('-') {
-        Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.to_owned(),
         Some(rest) => format!("{MINUS}{rest}"),
         None => digits.to_owned(),
     }
@@ -60,7 +61,7 @@ fn with_minus(digits: &str) -> String {
 
 fn significant(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
-        return with_minus(&value.to_string());
+        return with_minus(&math::unsigned_zero(value).to_string());
     }
     // Rounds first, so that 9.999 is 10.0.
     let rounded = format!("{value:.2e}");
@@ -68,14 +69,14 @@ fn significant(value: f64) -> String {
     let exponent: i32 = exponent.parse().unwrap_or(0);
     if (-3..6).contains(&exponent) {
         let decimals = (2 - exponent).max(0) as usize;
-        return with_minus(&format!("{value:.decimals$}"));
+        return with_minus(&math::decimals(value, decimals));
     }
     format!("{}×10{}", with_minus(mantissa), superscript(exponent))
 }
 
 fn order(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
-        return with_minus(&value.to_string());
+        return with_minus(&math::unsigned_zero(value).to_string());
     }
     let rounded = format!("{value:.0e}");
     let (digit, exponent) = rounded.split_once('e').unwrap_or((&rounded, "0"));
@@ -130,6 +131,7 @@ mod tests {
     fn digits_are_those_that_mean_something() {
         let check = |value, expect: &str| assert_eq!(significant(value), expect);
         check(0.0, "0");
+        check(-0.0, "0");
         check(0.0012345, "0.00123");
         check(-12.0, "−12.0");
         check(9.999, "10.0");

@@ -1,6 +1,7 @@
 //! Bends and shears by segment: where the robot gives, and how it differs from
 //! the free robot's arc.
 
+use super::export::cell;
 use super::pane::{
     Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
 };
@@ -111,11 +112,11 @@ pub(super) fn show(
 
 pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {
     table.write_record(["segment", "bend_deg", "shear_deg", "free_bend_deg"])?;
-    let free = degrees(data.problem.segment().free_bend()).to_string();
+    let free = cell(degrees(data.problem.segment().free_bend()));
     let angles = data.solution.bends.iter().zip(&data.solution.shears);
     for (index, (bend, shear)) in angles.enumerate() {
         let segment = (index + 1).to_string();
-        let (bend, shear) = (degrees(*bend).to_string(), degrees(*shear).to_string());
+        let (bend, shear) = (cell(degrees(*bend)), cell(degrees(*shear)));
         table.write_record([&segment, &bend, &shear, &free])?;
     }
     Ok(())

@@ -1,6 +1,7 @@
 //! The energy over the pull, with what happens on the way: contacts made and
 //! lost, jumps, ends.
 
+use super::export::cell;
 use super::over_pull::{Cursor, Edges, Knob, read_at};
 use super::pane::{
     Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
@@ -106,7 +107,7 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
     let mut events = path.events.iter().peekable();
     let mut note = |table: &mut csv::Writer<Vec<u8>>, before: f64| -> csv::Result<()> {
         while let Some(event) = events.next_if(|event| event.pull <= before) {
-            let pull = millimetres(event.pull).to_string();
+            let pull = cell(millimetres(event.pull));
             let what = words::occurrence(&event.what, data.scene);
             table.write_record([pull.as_str(), "", "", what.as_str()])?;
         }
@@ -115,7 +116,7 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
     for state in &path.states {
         note(table, state.pull)?;
         let slope = per_millimetre(state.energy_slope);
-        let numbers = [millimetres(state.pull), state.energy, slope].map(|n| n.to_string());
+        let numbers = [millimetres(state.pull), state.energy, slope].map(cell);
         table.write_record(numbers.iter().map(String::as_str).chain([""]))?;
     }
     note(table, f64::INFINITY)

@@ -2,6 +2,7 @@
 
 use super::{Plot, PlotCache, PlotData, bends, energy, force, multipliers, tip};
 use crate::experiments::Chart;
+use crate::math::unsigned_zero;
 use crate::report::chart::{ChartError, svg_column};
 
 /// The numbers of a plot, as CSV with a row of names that carry the units.
@@ -22,6 +23,11 @@ pub fn csv(plot: Plot, data: &PlotData<'_>) -> String {
     debug_assert!(written.is_ok(), "{written:?}");
     let bytes = table.into_inner().unwrap_or_default();
     String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// A number in a table, with all its digits.
+pub(super) fn cell(value: f64) -> String {
+    unsigned_zero(value).to_string()
 }
 
 /// A plot as SVG.

@@ -1,6 +1,7 @@
 //! Force against load, the paper's Fig. 10: by multipliers where the stiffness
 //! is known, by virtual work where a reading fixes μ, and what was read.
 
+use super::export::cell;
 use super::pane::{
     Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate, value_at,
 };
@@ -378,7 +379,7 @@ pub(super) fn csv(
 ) -> csv::Result<()> {
     table.write_record(["source", "load_g", "force_g", "pull_mm", "obstacle"])?;
     let mut row = |source: &str, load: f64, force: f64, pull: &str, obstacle: &str| {
-        let (load, force) = (load.to_string(), force.to_string());
+        let (load, force) = (cell(load), cell(force));
         table.write_record([source, load.as_str(), force.as_str(), pull, obstacle])
     };
     for reading in data.readings() {
@@ -391,7 +392,7 @@ pub(super) fn csv(
     }
     if let Some(curve) = &cache.forces.curve {
         for point in &curve.points {
-            let pull = millimetres(point.pull).to_string();
+            let pull = cell(millimetres(point.pull));
             let load = grams(point.load);
             row("multipliers", load, grams(point.total), &pull, "all")?;
             for (index, force) in curve.obstacles.iter().zip(&point.by_obstacle) {

@@ -2,6 +2,7 @@
 //! how hard.
 
 use super::cache::{Side, Stem, Twin};
+use super::export::cell;
 use super::pane::{Quantities, Surface, Text, Whole, canvas, header, heat, named, ordinate};
 use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
@@ -303,12 +304,12 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
             contact.line.name().to_owned(),
             words::obstacle_of(data.scene, contact.obstacle),
             contact.class.word().to_owned(),
-            per_millimetre(contact.multiplier).to_string(),
-            force.map_or_else(String::new, |force| force.to_string()),
-            millimetres(contact.point.x).to_string(),
-            millimetres(contact.point.y).to_string(),
-            contact.normal.x.to_string(),
-            contact.normal.y.to_string(),
+            cell(per_millimetre(contact.multiplier)),
+            force.map_or_else(String::new, cell),
+            cell(millimetres(contact.point.x)),
+            cell(millimetres(contact.point.y)),
+            cell(contact.normal.x),
+            cell(contact.normal.y),
         ])?;
     }
     Ok(())

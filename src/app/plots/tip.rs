@@ -1,6 +1,7 @@
 //! The tip over the pull, the paper's Fig. 7: its displacement and its slope,
 //! with the straight lines of eq. 7 in a window that a hand can move.
 
+use super::export::cell;
 use super::over_pull::{Cursor, Edges, Knob, read_at, window_shade};
 use super::pane::{
     Quantities, SMALL, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
@@ -279,7 +280,7 @@ fn half(ui: &mut Ui, half: &Half<'_>, data: &PlotData<'_>, cache: &PlotCache, li
 pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {
     table.write_record(COLUMNS)?;
     for row in data.path.into_iter().flat_map(rows) {
-        table.write_record(row.map(|number| number.to_string()))?;
+        table.write_record(row.map(cell))?;
     }
     Ok(())
 }

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 
 use super::State;
 use super::state::Side;
+use crate::math::shortest;
 
 /// A node's columns. The bend and the shear are those of the segment that ends
 /// at the node, so the base's are empty; the multipliers are the sums over all
@@ -36,7 +37,7 @@ pub(super) fn path_state(out: &mut impl Write, index: usize, state: &State) -> i
         record(&mut table, ["pull_mm"].into_iter().chain(COLUMNS))?;
     }
     for node in 0..state.backbone_mm.len() {
-        let pull = number(state.pull_mm);
+        let pull = shortest(state.pull_mm);
         record(&mut table, [pull].into_iter().chain(row(state, node)))?;
     }
     table.flush()
@@ -46,30 +47,25 @@ fn row(state: &State, node: usize) -> [String; 9] {
     let [x, y] = state.backbone_mm[node];
     let [u, v] = state.cable_mm[node];
     let of_segment = |angles: &[f64]| match node.checked_sub(1) {
-        Some(segment) => number(angles[segment]),
+        Some(segment) => shortest(angles[segment]),
         None => String::new(),
     };
     let pressing = |side: Side| {
         let here = state.contacts.iter().filter(|c| c.node == node);
         let there = here.filter(|contact| contact.side == side);
-        number(there.map(|contact| contact.multiplier).sum::<f64>() + 0.0)
+        shortest(there.map(|contact| contact.multiplier).sum())
     };
     [
         node.to_string(),
-        number(x),
-        number(y),
-        number(u),
-        number(v),
+        shortest(x),
+        shortest(y),
+        shortest(u),
+        shortest(v),
         of_segment(&state.bends_rad),
         of_segment(&state.shears_rad),
         pressing(Side::Backbone),
         pressing(Side::Cable),
     ]
-}
-
-/// The shortest text that reads back as the same number.
-fn number(value: f64) -> String {
-    format!("{value:?}")
 }
 
 /// Writes a row; a closed pipe stays known for one.

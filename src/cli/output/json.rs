@@ -2,14 +2,18 @@
 
 use std::io::{self, Write};
 
+use serde::Serialize;
+use serde_json::Serializer;
+use serde_json::ser::Formatter;
+
 use super::State;
+use crate::math::unsigned_zero;
 
 /// The version of what surrounds the states of a path.
 const PATH_SCHEMA: &str = "sinew-path-1";
 
 pub(super) fn solution(out: &mut impl Write, state: &State) -> io::Result<()> {
-    serde_json::to_writer(&mut *out, state)?;
-    writeln!(out)
+    object(out, state)
 }
 
 pub(super) fn path_state(out: &mut impl Write, index: usize, state: &State) -> io::Result<()> {
@@ -19,7 +23,7 @@ pub(super) fn path_state(out: &mut impl Write, index: usize, state: &State) -> i
         write!(out, ",")?;
     }
     writeln!(out)?;
-    Ok(serde_json::to_writer(out, state)?)
+    value(out, state)
 }
 
 pub(super) fn path_end(out: &mut impl Write, states: usize) -> io::Result<()> {
@@ -27,6 +31,25 @@ pub(super) fn path_end(out: &mut impl Write, states: usize) -> io::Result<()> {
         path_start(out)?;
     }
     writeln!(out, "\n]}}")
+}
+
+/// Anything that is printed as JSON, on a line of its own.
+pub(in crate::cli) fn object(out: &mut impl Write, what: &impl Serialize) -> io::Result<()> {
+    value(out, what)?;
+    writeln!(out)
+}
+
+fn value(out: &mut impl Write, what: &impl Serialize) -> io::Result<()> {
+    Ok(what.serialize(&mut Serializer::with_formatter(out, UnsignedZero))?)
+}
+
+/// Compact JSON in which no zero has a sign.
+struct UnsignedZero;
+
+impl Formatter for UnsignedZero {
+    fn write_f64<W: ?Sized + Write>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
+        serde_json::ser::CompactFormatter.write_f64(writer, unsigned_zero(value))
+    }
 }
 
 fn path_start(out: &mut impl Write) -> io::Result<()> {

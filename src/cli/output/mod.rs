@@ -8,13 +8,18 @@ mod text;
 use std::io::{self, ErrorKind, Write};
 
 use super::arguments::Format;
+use crate::equilibrium::Caution;
+use crate::math::unsigned_zero;
 use crate::model::Problem;
 use crate::scene::Scene;
 use crate::scene::limits::shown;
 use crate::units::millimetres;
 
 pub(super) use self::csv::record;
+pub(super) use self::json::object;
 pub(super) use state::State;
+
+pub(super) use crate::report::on_a_terminal as printable;
 
 /// What the numbers of a state are about, for whoever reads them as text.
 pub(super) struct Labels {
@@ -38,6 +43,28 @@ impl Labels {
             obstacles: obstacles.collect(),
             goal_mm: millimetres(problem.pull()),
         }
+    }
+
+    /// An obstacle by its index and its name.
+    fn obstacle(&self, index: usize) -> String {
+        match self.obstacles.get(index) {
+            Some(name) => format!("{index} {name}"),
+            None => index.to_string(),
+        }
+    }
+
+    /// A caution as a sentence of its own, with what helps.
+    pub fn caution(&self, caution: &Caution) -> String {
+        let obstacle = |index| format!("obstacle {}", self.obstacle(index));
+        let sentence = caution.sentence(obstacle);
+        let mut letters = sentence.chars();
+        let first = letters.next().map(char::to_uppercase);
+        let first: String = first.into_iter().flatten().collect();
+        let help = match caution.remedy() {
+            Some(remedy) => format!("; {remedy} keeps it out"),
+            None => String::new(),
+        };
+        format!("{first}{}{help}.", letters.as_str())
     }
 }
 
@@ -109,17 +136,18 @@ pub(super) fn reader(written: io::Result<()>) -> io::Result<Reader> {
     }
 }
 
-/// A text from a file without what could move the cursor of a terminal.
-pub(super) fn printable(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for character in text.chars() {
-        if character.is_control() {
-            safe.extend(character.escape_default());
-        } else {
-            safe.push(character);
+/// Text in lines of a readable length.
+pub(super) fn paragraph(out: &mut impl Write, start: &str, text: &str) -> io::Result<()> {
+    let mut line = start.to_owned();
+    for word in text.split_whitespace() {
+        if line.chars().count() + word.chars().count() > 88 && !line.trim().is_empty() {
+            writeln!(out, "{}", line.trim_end())?;
+            line = "  ".to_owned();
         }
+        line.push_str(word);
+        line.push(' ');
     }
-    safe
+    writeln!(out, "{}", line.trim_end())
 }
 
 /// A pull in metres as millimetres: to 0.1 µm, as near as a run finds the end
@@ -127,5 +155,5 @@ pub(super) fn printable(text: &str) -> String {
 pub(super) fn pull_shown(pull: f64) -> String {
     let pull_mm = millimetres(pull);
     let grain = if pull_mm.abs() < 1.0 { 1e9 } else { 1e4 };
-    shown((pull_mm * grain).round() / grain + 0.0)
+    shown(unsigned_zero((pull_mm * grain).round() / grain))
 }

@@ -4,8 +4,10 @@
 use serde::Serialize;
 
 use crate::equilibrium::{
-    Certificate as Conditions, Contact as Touch, Event as Happening, Occurrence, Run,
+    Caution as Finding, Certificate as Conditions, Contact as Touch, Event as Happening,
+    Occurrence, Run,
 };
+use crate::forces::Stiffness;
 use crate::geometry::Vector;
 use crate::model::Line;
 use crate::units::{millimetres, per_millimetre};
@@ -23,8 +25,15 @@ pub(in crate::cli) struct State {
     /// The status in a sentence.
     pub reason: String,
     pub pull_mm: f64,
+    /// Where the last node is.
+    pub tip_mm: [f64; 2],
+    /// How far the tip points clockwise of the base.
+    pub tip_slope_rad: f64,
     /// Σ bend², rad².
     pub energy: f64,
+    /// Of the cable, where the scene has a bending stiffness.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tension_n: Option<f64>,
     /// n + 1 points, base first.
     pub backbone_mm: Vec<[f64; 2]>,
     pub cable_mm: Vec<[f64; 2]>,
@@ -35,6 +44,7 @@ pub(in crate::cli) struct State {
     pub unique_split: bool,
     pub obstacles_placed: bool,
     pub certificate: Certificate,
+    pub cautions: Vec<Caution>,
     pub events: Vec<Event>,
     pub iterations: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -81,6 +91,29 @@ pub(in crate::cli) struct Certificate {
     pub holds: bool,
 }
 
+/// A caution; keys that its kind does not have are left out.
+#[derive(Serialize)]
+pub(in crate::cli) struct Caution {
+    pub what: &'static str,
+    /// In a sentence, obstacles by their index.
+    pub message: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub node: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub other_node: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub obstacle: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub depth_mm: Option<f64>,
+    /// The setting of the scene that removes its cause.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remedy: Option<&'static str>,
+    #[serde(skip)]
+    pub finding: Finding,
+}
+
 /// An event; keys that its kind does not have are left out.
 #[derive(Default, Serialize)]
 pub(in crate::cli) struct Event {
@@ -103,41 +136,37 @@ pub(in crate::cli) struct Event {
 }
 
 impl State {
-    /// The state a run is in; `None` where one of its numbers is not finite,
-    /// which only a failed solve can lead to.
-    pub fn of(run: &Run) -> Option<Self> {
-        let solution = run.solution();
-        let offset = run.problem().robot().offset;
+    /// The state a run is in, with the backbone's stiffness where it is known;
+    /// `None` where one of its numbers is not finite, which only a failed solve
+    /// can lead to.
+    pub fn of(run: &Run, stiffness: Option<Stiffness>) -> Option<Self> {
+        let (problem, solution) = (run.problem(), run.solution());
+        let offset = problem.robot().offset;
+        let slope = solution.certificate.energy_slope;
+        let cautions = Finding::all(problem, solution);
         let state = Self {
             schema: SCHEMA,
             status: solution.status.word(),
             reason: solution.status.reason(),
-            pull_mm: mm(solution.pull),
+            pull_mm: millimetres(solution.pull),
+            tip_mm: solution.backbone().last().map(point_mm).unwrap_or_default(),
+            tip_slope_rad: solution.bends.iter().sum(),
             energy: solution.energy,
+            tension_n: stiffness.map(|stiffness| stiffness.per_bend(problem) * slope),
             backbone_mm: solution.backbone().map(point_mm).collect(),
             cable_mm: solution.cable(offset).map(point_mm).collect(),
-            bends_rad: solution.bends.iter().map(|bend| unsigned(*bend)).collect(),
-            shears_rad: solution
-                .shears
-                .iter()
-                .map(|shear| unsigned(*shear))
-                .collect(),
+            bends_rad: solution.bends.clone(),
+            shears_rad: solution.shears.clone(),
             contacts: solution.contacts.iter().map(contact).collect(),
             unique_split: solution.unique_split,
             obstacles_placed: run.obstacles_are_placed(),
             certificate: certificate(&solution.certificate),
+            cautions: cautions.into_iter().map(caution).collect(),
             events: solution.events.iter().map(event).collect(),
             iterations: solution.iterations,
             timing_us: None,
         };
         state.is_finite().then_some(state)
-    }
-
-    /// The tip's place, in mm, and how far it points clockwise of the base, in
-    /// radians.
-    pub fn tip(&self) -> ([f64; 2], f64) {
-        let place = self.backbone_mm.last().copied().unwrap_or_default();
-        (place, self.bends_rad.iter().sum())
     }
 
     fn is_finite(&self) -> bool {
@@ -171,8 +200,11 @@ impl State {
             let [u, v] = event.direction.unwrap_or_default();
             [event.pull_mm, event.distance_mm.unwrap_or_default(), u, v]
         });
-        [self.pull_mm, self.energy]
+        let cautions = self.cautions.iter().filter_map(|caution| caution.depth_mm);
+        [self.pull_mm, self.energy, self.tip_slope_rad]
             .into_iter()
+            .chain(self.tension_n)
+            .chain(cautions)
             .chain(points.copied())
             .chain(angles.copied())
             .chain(contacts)
@@ -191,7 +223,7 @@ fn contact(touch: &Touch) -> Contact {
         multiplier: per_millimetre(touch.multiplier),
         normal: pair(touch.normal),
         point_mm: point_mm(touch.point),
-        clearance_mm: mm(touch.clearance),
+        clearance_mm: millimetres(touch.clearance),
         side: match touch.line {
             Line::Backbone | Line::BackboneLink | Line::RimFarSide | Line::Disk => Side::Backbone,
             Line::Cable | Line::CableLink | Line::RimCableSide => Side::Cable,
@@ -209,14 +241,51 @@ fn certificate(conditions: &Conditions) -> Certificate {
         residual: conditions.residual(),
         orientation: conditions.orientation,
         minimum: conditions.minimum,
-        energy_slope: unsigned(per_millimetre(conditions.energy_slope)),
+        energy_slope: per_millimetre(conditions.energy_slope),
         holds: conditions.holds(),
     }
 }
 
+fn caution(finding: Finding) -> Caution {
+    let mut caution = Caution {
+        what: finding.word(),
+        message: finding.sentence(|index| format!("obstacle {index}")),
+        line: None,
+        node: None,
+        other_node: None,
+        obstacle: None,
+        depth_mm: None,
+        remedy: finding.remedy(),
+        finding,
+    };
+    match finding {
+        Finding::Crosses {
+            line,
+            node,
+            obstacle,
+            depth,
+        } => {
+            caution.line = Some(line.name());
+            caution.node = Some(node);
+            caution.obstacle = Some(obstacle);
+            caution.depth_mm = Some(millimetres(depth));
+        }
+        Finding::Encloses { node, obstacle } => {
+            caution.node = Some(node);
+            caution.obstacle = Some(obstacle);
+        }
+        Finding::Coils { lower, upper } => {
+            caution.node = Some(lower);
+            caution.other_node = Some(upper);
+        }
+        Finding::CablePushes => {}
+    }
+    caution
+}
+
 fn event(happening: &Happening) -> Event {
     let mut event = Event {
-        pull_mm: mm(happening.pull),
+        pull_mm: millimetres(happening.pull),
         what: happening.what.word(),
         ..Event::default()
     };
@@ -244,7 +313,7 @@ fn event(happening: &Happening) -> Event {
         }
         Occurrence::Jump { node, distance } => {
             event.node = Some(node);
-            event.distance_mm = Some(mm(distance));
+            event.distance_mm = Some(millimetres(distance));
         }
         Occurrence::BranchEnded { reason, segment } => {
             event.reason = Some(reason.word());
@@ -255,19 +324,10 @@ fn event(happening: &Happening) -> Event {
     event
 }
 
-fn mm(metres: f64) -> f64 {
-    unsigned(millimetres(metres))
-}
-
 fn point_mm(point: Vector) -> [f64; 2] {
-    [mm(point.x), mm(point.y)]
+    [millimetres(point.x), millimetres(point.y)]
 }
 
 fn pair(vector: Vector) -> [f64; 2] {
-    [unsigned(vector.x), unsigned(vector.y)]
-}
-
-/// The number itself, but for −0, which would print its sign.
-fn unsigned(number: f64) -> f64 {
-    number + 0.0
+    [vector.x, vector.y]
 }

@@ -3,16 +3,16 @@
 use std::io::{self, Write};
 
 use super::super::timing::Timing;
-use super::state::{Contact, Event, State};
-use super::{Labels, pull_shown};
+use super::state::{Caution, Contact, Event, State};
+use super::{Labels, paragraph, pull_shown};
 use crate::equilibrium::Certificate as Conditions;
+use crate::math::decimals;
 use crate::units::{degrees, metres};
 
 /// Contacts or events that are listed one by one.
 const LISTED: usize = 40;
 
 pub(super) fn solution(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()> {
-    let ([x, y], slope) = state.tip();
     writeln!(out, "{}\n", labels.title)?;
     writeln!(out, "  status       {}: {}", state.status, state.reason)?;
     let pull = pull_shown(metres(state.pull_mm));
@@ -22,8 +22,9 @@ pub(super) fn solution(out: &mut impl Write, labels: &Labels, state: &State) -> 
     } else {
         writeln!(out, "  pull         {pull} mm of the {goal} mm asked for")?;
     }
-    writeln!(out, "  tip          x {x:.2} mm, y {y:.2} mm")?;
-    let slope = plain(degrees(slope), 1);
+    let [x, y] = state.tip_mm.map(|coordinate| decimals(coordinate, 2));
+    writeln!(out, "  tip          x {x} mm, y {y} mm")?;
+    let slope = decimals(degrees(state.tip_slope_rad), 1);
     writeln!(out, "  slope        {slope}° clockwise from the base")?;
     let energy = figures(state.energy);
     let rate = figures(state.certificate.energy_slope);
@@ -31,8 +32,13 @@ pub(super) fn solution(out: &mut impl Write, labels: &Labels, state: &State) -> 
         out,
         "  energy       {energy} rad², changing by {rate} rad² per mm of pull"
     )?;
+    if let Some(tension) = state.tension_n {
+        let tension = figures(tension);
+        writeln!(out, "  tension      {tension} N along the cable")?;
+    }
     certificate(out, state)?;
     writeln!(out, "  iterations   {}", state.iterations)?;
+    cautions(out, labels, state)?;
     contacts(out, labels, state)?;
     events(out, labels, state)?;
     state.timing_us.as_ref().map_or(Ok(()), |t| timing(out, t))
@@ -63,6 +69,17 @@ fn certificate(out: &mut impl Write, state: &State) -> io::Result<()> {
     )
 }
 
+fn cautions(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()> {
+    if state.cautions.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\nCautions\n")?;
+    for caution in state.cautions.iter().take(LISTED) {
+        paragraph(out, "  ", &labels.caution(&caution.finding))?;
+    }
+    and_more(out, state.cautions.len())
+}
+
 fn contacts(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()> {
     if state.contacts.is_empty() {
         return writeln!(out, "\nNothing touches.");
@@ -74,7 +91,7 @@ fn contacts(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<
     let shown = &state.contacts[..state.contacts.len().min(LISTED)];
     let names: Vec<String> = shown
         .iter()
-        .map(|contact| obstacle(labels, contact.obstacle))
+        .map(|contact| labels.obstacle(contact.obstacle))
         .collect();
     let width = names.iter().map(|name| name.chars().count());
     let width = width.max().unwrap_or(0).max("obstacle".len());
@@ -89,10 +106,10 @@ fn contacts(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<
         "", "", "", "", "rad²/mm", "mm", "mm"
     )?;
     for (contact, name) in shown.iter().zip(&names) {
-        let [x, y] = contact.point_mm;
+        let [x, y] = contact.point_mm.map(|coordinate| decimals(coordinate, 2));
         writeln!(
             out,
-            "  {:<14}  {:>6}  {name:<width$}  {:<8}  {:>10}  {x:>8.2}  {y:>8.2}",
+            "  {:<14}  {:>6}  {name:<width$}  {:<8}  {:>10}  {x:>8}  {y:>8}",
             line(contact.line),
             contact.node,
             contact.class,
@@ -113,7 +130,8 @@ fn events(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()
     }
     writeln!(out, "\nOn the way\n")?;
     for event in state.events.iter().take(LISTED) {
-        writeln!(out, "  {:>8.3} mm  {}", event.pull_mm, told(labels, event))?;
+        let pull = decimals(event.pull_mm, 3);
+        writeln!(out, "  {pull:>8} mm  {}", told(labels, event))?;
     }
     and_more(out, state.events.len())
 }
@@ -163,7 +181,7 @@ pub(super) fn path_state(
             "mm", "mm", "mm", "deg", "rad²"
         )?;
     }
-    let ([x, y], slope) = state.tip();
+    let [x, y] = state.tip_mm;
     let pressing = state.contacts.iter().filter(|c| c.class == "pressing");
     let pressing: Vec<String> = pressing.map(place).collect();
     let pressing = if pressing.is_empty() {
@@ -172,12 +190,16 @@ pub(super) fn path_state(
         pressing.join(", ")
     };
     let events = state.events.iter().map(|event| told(labels, event));
+    let cautions = state.cautions.iter().map(|caution| warned(labels, caution));
+    let notes: Vec<String> = events.chain(cautions).collect();
     let text = format!(
-        "{:>9.3}  {x:>8.2}  {y:>8.2}  {:>7}  {:>10}  {pressing:<28}  {}",
-        state.pull_mm,
-        plain(degrees(slope), 1),
+        "{:>9}  {:>8}  {:>8}  {:>7}  {:>10}  {pressing:<28}  {}",
+        decimals(state.pull_mm, 3),
+        decimals(x, 2),
+        decimals(y, 2),
+        decimals(degrees(state.tip_slope_rad), 1),
         figures(state.energy),
-        events.collect::<Vec<_>>().join("; ")
+        notes.join("; ")
     );
     writeln!(out, "{}", text.trim_end())
 }
@@ -187,20 +209,30 @@ fn place(contact: &Contact) -> String {
     format!("{line} {} on {}", contact.node, contact.obstacle)
 }
 
+/// A caution in a few words.
+fn warned(labels: &Labels, caution: &Caution) -> String {
+    let what = caution.what.replace('_', " ");
+    match caution.obstacle {
+        Some(index) => format!("caution: {what} {}", labels.obstacle(index)),
+        None => format!("caution: {what}"),
+    }
+}
+
 /// An event in words.
 fn told(labels: &Labels, event: &Event) -> String {
     let what = event.what.replace('_', " ");
-    let on = event.obstacle.map(|index| obstacle(labels, index));
+    let on = event.obstacle.map(|index| labels.obstacle(index));
     match (event.line, event.node, on, event.distance_mm) {
         (Some(name), Some(node), Some(on), _) => {
             format!("{what}: {} node {node} on obstacle {on}", line(name))
         }
         (_, _, Some(on), _) => {
-            let [x, y] = event.direction.unwrap_or_default();
-            format!("{what} by obstacle {on}, towards ({x:.2}, {y:.2})")
+            let direction = event.direction.unwrap_or_default();
+            let [x, y] = direction.map(|coordinate| decimals(coordinate, 2));
+            format!("{what} by obstacle {on}, towards ({x}, {y})")
         }
         (_, Some(node), _, Some(distance)) => {
-            format!("{what}: node {node} moved by {distance:.2} mm")
+            format!("{what}: node {node} moved by {} mm", decimals(distance, 2))
         }
         _ => match (event.reason, event.segment) {
             (Some(reason), Some(segment)) => {
@@ -215,13 +247,6 @@ fn line(name: &str) -> String {
     name.replace('_', " ")
 }
 
-fn obstacle(labels: &Labels, index: usize) -> String {
-    match labels.obstacles.get(index) {
-        Some(name) => format!("{index} {name}"),
-        None => index.to_string(),
-    }
-}
-
 /// A number with four figures that mean something, as a power of ten where it
 /// is very small or large.
 fn figures(value: f64) -> String {
@@ -229,19 +254,10 @@ fn figures(value: f64) -> String {
     if size == 0.0 {
         "0".to_owned()
     } else if (1e-3..1e4).contains(&size) {
-        let decimals = (3.0 - libm::log10(size).floor()).clamp(0.0, 6.0) as usize;
-        format!("{value:.decimals$}")
+        let count = (3.0 - libm::log10(size).floor()).clamp(0.0, 6.0) as usize;
+        decimals(value, count)
     } else {
         format!("{value:.3e}")
-    }
-}
-
-/// A number with so many decimals, and no sign where it rounds to zero.
-fn plain(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(rest) if rest.bytes().all(|byte| matches!(byte, b'0' | b'.')) => rest.to_owned(),
-        _ => text,
     }
 }
 
@@ -256,7 +272,5 @@ mod tests {
         assert_eq!(figures(-12.345_6), "-12.35");
         assert_eq!(figures(9_999.9), "10000");
         assert_eq!(figures(1.234_1e-7), "1.234e-7");
-        assert_eq!(plain(-0.04, 1), "0.0");
-        assert_eq!(plain(-0.06, 1), "-0.1");
     }
 }

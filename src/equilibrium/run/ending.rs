@@ -29,6 +29,8 @@ impl Run {
     pub(super) fn fill(&mut self, status: Status) {
         self.solution
             .fill(&self.now, self.sqp.point(), self.sqp.multipliers());
+        self.solution.move_by(self.origin);
+        self.show_world();
         let certified = self.solution.certificate.holds();
         self.solution.status = match status {
             Status::Converged if !certified => Status::NumericalFailure,

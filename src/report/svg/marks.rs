@@ -3,6 +3,7 @@
 
 use super::{Look, SMALL, STRONG, Writer, px};
 use crate::geometry::Vector;
+use crate::report::characters::printable;
 use crate::report::text;
 use crate::view::{
     Arrowhead, Bounds, Colour, Frame, Geometry, LabelText, Mark, Path, Piece, Role, Style, Theme,
@@ -225,7 +226,7 @@ impl Writer<'_> {
                     group.append(label);
                 }
                 LabelText::Name(name) => {
-                    let name = text::printable(name);
+                    let name = printable(name);
                     group.append(self.text(at, "name", &name, |theme| theme.palette().quiet));
                 }
             }

@@ -11,7 +11,7 @@
 mod marks;
 mod page;
 
-use super::text;
+use super::characters::printable;
 use crate::geometry::Vector;
 use crate::view::{Bounds, Colour, Drawing, Frame, Quantity, Role, Standing, Theme};
 use svg::Node;
@@ -191,7 +191,7 @@ impl<'a> Writer<'a> {
 
     fn title(&self) -> String {
         let title = self.drawing.caption.title.as_deref();
-        text::printable(title.unwrap_or("Cable-driven continuum robot"))
+        printable(title.unwrap_or("Cable-driven continuum robot"))
     }
 
     fn description(&self) -> String {
@@ -213,7 +213,7 @@ impl<'a> Writer<'a> {
             Standing::Certified => "certified equilibrium".to_owned(),
             Standing::Greyed { reason, .. } => reason.clone(),
         });
-        text::printable(&parts.join(", "))
+        printable(&parts.join(", "))
     }
 
     fn span(&mut self, words: &str, colour: fn(Theme) -> Colour) -> TSpan {

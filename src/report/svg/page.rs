@@ -3,6 +3,7 @@
 
 use super::{EDGE, LARGE, LINE, PLAIN, SMALL, STRONG, Size, Writer, px, rectangle};
 use crate::geometry::Vector;
+use crate::report::characters::printable;
 use crate::report::text;
 use crate::view::{Colour, Most, Quantity, Role, Standing, Theme};
 use svg::Node;
@@ -16,7 +17,7 @@ impl Writer<'_> {
         let mut y = EDGE - 4.0;
         if let Some(title) = &self.drawing.caption.title {
             y += LARGE;
-            let title = text::cut(&text::printable(title), LARGE, room);
+            let title = text::cut(&printable(title), LARGE, room);
             let mut line = self.text(Vector::new(EDGE, y), "title", &title, |theme| {
                 theme.palette().text
             });
@@ -31,7 +32,7 @@ impl Writer<'_> {
         }
         let drawing = self.drawing;
         let mut write = |words: &str, word: &str, colour: fn(Theme) -> Colour| {
-            let words = text::printable(&sentence(words));
+            let words = printable(&sentence(words));
             for line in text::lines(&words, SMALL, room).into_iter().take(6) {
                 y += LINE;
                 let line = text::cut(&line, SMALL, room);

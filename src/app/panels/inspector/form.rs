@@ -5,6 +5,7 @@ use crate::app::look::{Tokens, icon, icons};
 use crate::app::panels::row;
 use crate::app::panels::typed::Kind;
 use crate::app::words;
+use crate::math::unsigned_zero;
 use crate::scene::SceneError;
 use crate::scene::limits::{Limits, shown};
 use crate::view::Quantity;
@@ -224,7 +225,7 @@ impl<'a> Form<'a> {
             // All digits while they can be edited, or a glance at a field
             // would round its number.
             let text = move |value: f64| match editing && !number.is_missing(value) {
-                true => shown(value).replace('-', "−"),
+                true => shown(unsigned_zero(value)).replace('-', "−"),
                 false => number.shown(value),
             };
             let untouched = text(before);

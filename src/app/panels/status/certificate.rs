@@ -6,8 +6,8 @@ use super::verdict::Verdict;
 use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::state::State;
 use crate::app::{panels::row, words};
-use crate::equilibrium::{Certificate, Solution};
-use crate::scene::Scene;
+use crate::equilibrium::{Caution, Certificate, Solution};
+use crate::scene::{Candidates, Scene};
 use crate::solver::Iteration;
 use crate::units::{millimetres, per_millimetre};
 use crate::view::Quantity;
@@ -40,13 +40,14 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     state.panels.certificate = open;
 }
 
-fn contents(ui: &mut Ui, state: &State) {
+fn contents(ui: &mut Ui, state: &mut State) {
     let Some(solution) = state.live.solution() else {
         ui.label("The solver is looking for the robot's shape.");
         return;
     };
     let scene = &state.document.scene;
     verdict(ui, state, solution, scene);
+    let wants_body = cautions(ui, state.live.cautions(), scene);
     ui.add_space(16.0);
     row::heading(ui, "Optimality, recomputed from the node positions");
     ui.add_space(4.0);
@@ -64,6 +65,30 @@ fn contents(ui: &mut Ui, state: &State) {
         ui.add_space(4.0);
         events(ui, solution, scene);
     }
+    if wants_body {
+        let contact = &mut state.document.scene.contact;
+        contact.candidates = Candidates::Body;
+        contact.listed.clear();
+    }
+}
+
+/// Shows what the certificate does not promise; whether the whole body is to
+/// touch from now on.
+fn cautions(ui: &mut Ui, cautions: &[Caution], scene: &Scene) -> bool {
+    let warning = Tokens::in_ui(ui).warning;
+    for caution in cautions {
+        ui.add_space(8.0);
+        ui.horizontal_top(|ui| {
+            ui.label(icon(icons::WARNING).color(warning));
+            ui.add(Label::new(words::caution(caution, scene)).wrap());
+        });
+    }
+    let helps = cautions.iter().any(|caution| caution.remedy().is_some());
+    helps
+        && ui
+            .button("Let the whole body touch")
+            .on_hover_text("Obstacles keep out the body at its own size, and not only nodes")
+            .clicked()
 }
 
 fn verdict(ui: &mut Ui, state: &State, solution: &Solution, scene: &Scene) {
@@ -132,7 +157,7 @@ fn conditions(ui: &mut Ui, certificate: &Certificate) {
         residual(
             "Penetration",
             "g ≥ 0",
-            "No part of the robot is inside an obstacle.",
+            "Nothing that may touch is inside an obstacle.",
             certificate.penetration,
         ),
         residual(

@@ -9,7 +9,7 @@ pub use certificate::show as certificate;
 pub use verdict::Verdict;
 
 use super::row;
-use crate::app::look::{Tokens, icon_font};
+use crate::app::look::{Tokens, icon_font, icons};
 use crate::app::state::State;
 use crate::app::words;
 use crate::equilibrium::Solution;
@@ -59,6 +59,14 @@ pub fn show(ui: &mut Ui, state: &mut State, bar: f32) {
     };
     written(8.0, verdict.icon(), icon_font(16.0));
     let word = written(28.0, verdict.word(), FontId::proportional(14.0));
+    let mut taken = word.right();
+    if !state.live.cautions().is_empty() {
+        let sign = painter.layout_no_wrap(icons::WARNING.into(), icon_font(14.0), tokens.warning);
+        let right = (rect.left() + WORD - 8.0).max(taken + 4.0 + sign.size().x);
+        let place = Align2::RIGHT_CENTER.anchor_size(pos2(right, middle), sign.size());
+        painter.galley(place.min, sign, tokens.warning);
+        taken = right;
+    }
     if let Some(solution) = state.live.solution()
         && bar >= ROOMY
     {
@@ -72,8 +80,8 @@ pub fn show(ui: &mut Ui, state: &mut State, bar: f32) {
             let font = FontId::proportional(12.0);
             let number = painter.layout_no_wrap(text, font, tokens.muted);
             let place = Align2::RIGHT_CENTER.anchor_size(pos2(x - 8.0, middle), number.size());
-            // A long word takes the place of the number beside it.
-            if place.left() > word.right() + 4.0 {
+            // A long word, or a sign, takes the place of the number beside it.
+            if place.left() > taken + 4.0 {
                 painter.galley(place.min, number, tokens.muted);
             }
         }
@@ -114,8 +122,11 @@ fn tip(state: &State, verdict: Verdict) -> String {
         Verdict::Solving => "The solver is looking for the robot's shape.".to_owned(),
         _ => words::outcome(solution, &state.document.scene),
     };
+    let cautions = state.live.cautions().iter();
+    let cautions = cautions.map(|one| format!("\n{}", words::caution(one, &state.document.scene)));
+    let cautions: String = cautions.collect();
     format!(
-        "{what}\nKKT residual {}, {} iterations, {}\nClick for the certificate",
+        "{what}{cautions}\nKKT residual {}, {} iterations, {}\nClick for the certificate",
         residual(solution),
         solution.iterations,
         time(state.live.time())
