@@ -7,6 +7,7 @@ use super::arguments::Check;
 use super::input;
 use super::output::{printable, reader};
 use super::{Failure, Outcome};
+use crate::experiments::Measured;
 use crate::model::Problem;
 use crate::scene::limits::shown;
 use crate::scene::{Candidates, Scene};
@@ -44,7 +45,29 @@ fn summary(scene: &Scene, problem: &Problem) -> String {
         ),
         obstacles(scene),
     ]
+    .into_iter()
+    .chain(measured(scene, problem))
+    .collect::<Vec<_>>()
     .join("\n")
+}
+
+/// What the scene's measured backbone is, or why nothing can be compared with
+/// it; nothing where there is none.
+fn measured(scene: &Scene, problem: &Problem) -> Option<String> {
+    let held = scene.measured.as_ref()?;
+    let count = held.points_mm.len();
+    if count == 0 {
+        return None;
+    }
+    Some(match Measured::of_scene(held, problem) {
+        Ok(measured) => format!(
+            "The measured backbone has {count} points and is {:.1} mm long.",
+            millimetres(measured.length())
+        ),
+        Err(fault) => {
+            format!("Caution: nothing can be compared with measured.points_mm: {fault}.")
+        }
+    })
 }
 
 fn obstacles(scene: &Scene) -> String {

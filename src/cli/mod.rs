@@ -89,6 +89,11 @@ fn schema() -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
+/// A line on standard error that complains of nothing.
+fn tell(text: &str) {
+    let _ = writeln!(io::stderr().lock(), "note: {text}");
+}
+
 /// One line on standard error. Unlike `eprintln!`, it survives that being
 /// closed.
 fn complain(text: &str) {
