@@ -963,6 +963,69 @@ fn forces_come_as_text_json_and_csv() {
     );
 }
 
+/// The wedge's branch ends at a pull of 10.15 mm.
+#[test]
+fn forces_are_printed_up_to_the_end_of_a_branch() {
+    let scene = asset("wedge");
+    let loads = ["force", &scene, "--loads", "3000,1e9,100,10000"];
+    let with = |format| [&loads[..], &["--format", format]].concat();
+    let ran = check(&with("json"), 3);
+    let found: Value = serde_json::from_str(&ran.out).unwrap();
+    let rows = list(&found["loads"]).iter();
+    let pulls: Vec<(f64, f64)> = rows
+        .map(|row| {
+            (
+                number(&row["load_g"]),
+                number(&row["multipliers"]["pull_mm"]),
+            )
+        })
+        .collect();
+    for ((load, pull), expected) in
+        pulls
+            .iter()
+            .zip([(3000.0, 9.719), (100.0, 2.444), (1e4, 10.075)])
+    {
+        assert_eq!(*load, expected.0);
+        assert!((pull - expected.1).abs() < 1e-3, "{load}: {pull}");
+    }
+    assert_eq!(pulls.len(), 3);
+    let reason = "a load of 1000000000 g is not reached: the sweep stops at a pull of 10.150 mm: ";
+    assert!(
+        ran.err.starts_with(&format!("error: {reason}")),
+        "{}",
+        ran.err
+    );
+    assert!(found["reason"].as_str().unwrap().starts_with(reason));
+    assert_eq!(check(&with("csv"), 3).out.lines().count(), 4);
+    assert!(check(&with("text"), 3).out.contains("10.075"));
+    // Whatever else ends early leaves the rest.
+    let far = fs::read_to_string(asset("one-disc")).unwrap();
+    let pulled = far.lines().map(|line| match line.starts_with("pull_mm") {
+        true => "pull_mm = 20",
+        false => line,
+    });
+    let far = pulled.collect::<Vec<_>>().join("\n");
+    for (options, part) in [
+        (
+            &[][..],
+            "the scene's pull of 20 mm is not reached, only 16.7637 mm",
+        ),
+        (
+            &["--weighed", "500:18"],
+            "the sweep stops at a pull of 16.764 mm",
+        ),
+        (
+            &["--motion", "contact", "--window", "0:18", "--ei", "8000"],
+            "the sweep stops at a pull of 16.764 mm",
+        ),
+    ] {
+        let args = [&["force", "-"], options].concat();
+        let ran = check_with(&args, far.as_bytes(), 3);
+        assert!(ran.err.contains(part), "{options:?}: {}", ran.err);
+        assert!(ran.out.contains("350 "), "{options:?}: {}", ran.out);
+    }
+}
+
 #[test]
 fn forces_that_cannot_be_estimated_are_told() {
     let scene = asset("free");
@@ -1084,7 +1147,75 @@ fn a_backbone_in_the_scene_is_compared_too() {
     check_refused(
         &["compare", "-"],
         &extended("free", "[measured]\npoints_mm = [[0, 0], [0, 90], [0, 40]]"),
-        "standard input: measured.points_mm: row 3 turns back along the robot; order rows from base to tip",
+        "standard input: measured.points_mm: row 3 turns back along the robot; order rows from base to tip, or name the nodes that they are",
+    );
+}
+
+/// The same backbone as `solve` prints it, as numpy saves it and as spreadsheets
+/// do, in metres, with gaps.
+#[test]
+fn measured_backbones_of_every_kind_are_read() {
+    let scene = asset("free");
+    let solved = check(&["solve", &scene, "--pull", "7.3", "--format", "csv"], 0).out;
+    let rows = solved.lines().skip(1).map(|line| {
+        let fields: Vec<f64> = line
+            .split(',')
+            .take(3)
+            .map(|f| f.parse().unwrap())
+            .collect();
+        (fields[1], fields[2])
+    });
+    let rows: Vec<(f64, f64)> = rows.collect();
+    let table = |head: &str, separator: &str, unit: f64| {
+        let rows = rows
+            .iter()
+            .map(|(x, y)| format!("{}{separator}{}\n", x * unit, y * unit));
+        format!("{head}{}", rows.collect::<String>())
+    };
+    let gap = table("x_mm,y_mm\nnan,nan\n", ",", 1.0);
+    for (text, left_out) in [
+        (solved.clone(), vec![]),
+        (table("", " ", 1.0), vec![]),
+        (table("# x_m y_m\n", " ", 1e-3), vec![]),
+        (table("sep=;\r\nX (mm);Y (mm)\r\n", ";", 1.0), vec![]),
+        (table("X [cm],Y [cm]\n", ",", 0.1), vec![]),
+        (gap.clone(), vec![2]),
+    ] {
+        let found = json_of_input(
+            &["compare", &scene, "-", "--format", "json"],
+            text.as_bytes(),
+        );
+        assert!((number(&found["pull_mm"]) - 7.3).abs() < 1e-5, "{text}");
+        assert!((number(&found["length_mm"]) - 180.0).abs() < 0.5, "{text}");
+        assert_eq!(found["left_out"], Value::from(left_out));
+    }
+    let told = check_with(&["compare", &scene, "-"], gap.as_bytes(), 0).out;
+    assert!(
+        told.contains("caution: row 2 holds no numbers and was left out"),
+        "{told}"
+    );
+    assert!(
+        told.contains("180.0 mm through the points, 100.0 % of the robot's"),
+        "{told}"
+    );
+    let ran = sinew(&["compare", &scene, "-", "--format", "csv"], gap.as_bytes());
+    assert_eq!(ran.err, "note: row 2 holds no numbers and was left out\n");
+    assert_eq!(ran.out.lines().count(), 20);
+}
+
+#[test]
+fn a_pull_that_is_not_reached_is_compared_as_far_as_it_goes() {
+    let scene = asset("wedge");
+    let points = check(&["solve", &scene, "--pull", "10.149", "--format", "csv"], 0).out;
+    let args = ["compare", &scene, "-", "--pull", "12", "--format", "json"];
+    let ran = check_with(&args, points.as_bytes(), 3);
+    let found: Value = serde_json::from_str(&ran.out).unwrap();
+    assert!((number(&found["pull_mm"]) - 10.15).abs() < 0.02);
+    assert!(number(&found["rms_mm"]) < 0.1);
+    assert!(
+        ran.err.contains("the last good state, at pull 10.1"),
+        "{}",
+        ran.err
     );
 }
 
@@ -1159,7 +1290,23 @@ fn measured_points_that_make_no_sense_are_refused_by_row() {
         ),
         (
             "0,0\n0,90\n0,40\n",
-            "row 3 turns back along the robot; order rows from base to tip",
+            "row 3 turns back along the robot; order rows from base to tip, or name the nodes that they are",
+        ),
+        (
+            "x,y\n0,0\n0.01,0.09\n0.02,0.18\n",
+            "the points are 0.181 mm long and the robot there is 180 mm long, as if they were in \
+             metres; write them in mm, or name the unit in the head of their table, as in x_m,y_m",
+        ),
+        (
+            "0,0\n1,9\n2,18\n",
+            "the points are 18.1 mm long and the robot there is 180 mm long, as if they were in \
+             centimetres; write them in mm, or name the unit in the head of their table, as in \
+             x_cm,y_cm",
+        ),
+        (
+            "0,0,0\n1,0,90\n2,0,180\n",
+            "row 1: there are 3 columns and no head that tells which are x and y; write one such as \
+             node,x_mm,y_mm above the numbers, and numbers as 12.5, with a point",
         ),
         (
             "0,0\n0,10\n0,20000\n",

@@ -1,15 +1,12 @@
 //! The paper's numbers, recomputed: each figure and table against what the
-//! paper's text says, and measured shapes against ones whose pull is known.
+//! paper's text says.
 
-use sinew::equilibrium::{Settings, Start, Status, solve};
 use sinew::experiments::{
-    Check, ForceRow, ForceTable, Id, Item, Measured, MeasuredFault, MeasuredPoint, PaperScene,
-    TableFault, Verdict, best_pull, compare, pull_window, reproduce, shown,
+    Check, ForceRow, ForceTable, Id, Item, PaperScene, TableFault, Verdict, pull_window, reproduce,
+    shown,
 };
-use sinew::geometry::Vector;
 use sinew::model::Problem;
-use sinew::scene::{Measurements, Scene};
-use sinew::units::{metres, millimetres};
+use sinew::units::millimetres;
 
 /// Table 1, as in its text.
 fn table() -> ForceTable {
@@ -215,120 +212,6 @@ fn windows_of_pulls_are_found_to_their_ends() {
     // Open at both ends, and nowhere.
     assert_eq!(between(-1.0, 9.0).unwrap().ends_mm(), (0.0, 8.0));
     assert_eq!(between(9.0, 10.0), None);
-}
-
-fn free() -> Problem {
-    Problem::new(&PaperScene::Free.scene().unwrap()).unwrap()
-}
-
-/// Points of the free robot at a pull, moved aside.
-fn points_at(pull_mm: f64, aside_mm: f64, by_node: bool) -> Vec<MeasuredPoint> {
-    let mut problem = free();
-    problem.set_pull(metres(pull_mm));
-    let solution = solve(&problem, Start::Straight, Settings::default());
-    assert_eq!(solution.status, Status::Converged);
-    let nodes = solution.backbone().enumerate();
-    nodes
-        .map(|(i, p)| MeasuredPoint {
-            row: i + 2,
-            node: by_node.then_some(i),
-            position: p + Vector::new(metres(aside_mm), 0.0),
-        })
-        .collect()
-}
-
-#[test]
-fn the_pull_of_a_shape_is_found_from_its_points() {
-    for pull_mm in [0.0, 0.4, 7.3, 23.0, -5.0] {
-        for by_node in [true, false] {
-            let measured = Measured::new(points_at(pull_mm, 0.0, by_node), &free()).unwrap();
-            let (_, solution, fit) = best_pull(&free(), &measured).unwrap();
-            near(millimetres(solution.pull), pull_mm, 1e-5);
-            assert!(fit.rms < 1e-8, "{pull_mm}: {}", fit.rms);
-        }
-    }
-}
-
-/// As many points as the scene's check asks for are enough.
-#[test]
-fn two_points_of_a_scene_are_compared() {
-    for nodes in [vec![9, 18], Vec::new()] {
-        let mut scene = Scene::default();
-        let points = points_at(7.3, 0.0, true);
-        let held = [9, 18].map(|node| points[node].position.map(millimetres).into());
-        scene.measured = Some(Measurements {
-            points_mm: held.to_vec(),
-            nodes,
-            ..Measurements::default()
-        });
-        let problem = Problem::new(&scene).unwrap();
-        let held = scene.measured.as_ref().unwrap();
-        let measured = Measured::of_scene(held, &problem).unwrap();
-        let (_, solution, fit) = best_pull(&problem, &measured).unwrap();
-        near(millimetres(solution.pull), 7.3, 1e-5);
-        assert!(fit.rms < 1e-8, "{}", fit.rms);
-    }
-}
-
-#[test]
-fn distances_are_those_of_the_points() {
-    let measured = Measured::new(points_at(5.0, 0.25, true), &free()).unwrap();
-    let mut problem = free();
-    problem.set_pull(metres(5.0));
-    let solution = solve(&problem, Start::Straight, Settings::default());
-    let fit = compare(&solution, &measured);
-    near(millimetres(fit.rms), 0.25, 1e-9);
-    near(millimetres(fit.max), 0.25, 1e-9);
-}
-
-#[test]
-fn measured_points_that_make_no_sense_name_their_row() {
-    let check = |edit: &dyn Fn(&mut Vec<MeasuredPoint>), by_node, expected: MeasuredFault| {
-        let mut points = points_at(5.0, 0.0, by_node);
-        edit(&mut points);
-        assert_eq!(Measured::new(points, &free()), Err(expected));
-    };
-    check(&|p| p.clear(), false, MeasuredFault::Empty);
-    check(&|p| p.truncate(1), false, MeasuredFault::TooFew(1));
-    check(
-        &|p| p[3].position.x = f64::NAN,
-        false,
-        MeasuredFault::NotFinite { row: 5 },
-    );
-    check(
-        &|p| p[4].position = p[2].position,
-        false,
-        MeasuredFault::Duplicate { row: 6, earlier: 4 },
-    );
-    check(&|p| p.swap(5, 9), false, MeasuredFault::Unsorted { row: 8 });
-    check(&|p| p.reverse(), false, MeasuredFault::Unsorted { row: 2 });
-    check(
-        &|p| p.swap(5, 6),
-        true,
-        MeasuredFault::NodesUnsorted { row: 7, node: 5 },
-    );
-    check(
-        &|p| p[6].node = None,
-        true,
-        MeasuredFault::NodeMissing { row: 8 },
-    );
-    check(
-        &|p| p[18].node = Some(19),
-        true,
-        MeasuredFault::NoSuchNode {
-            row: 20,
-            node: 19,
-            last: 18,
-        },
-    );
-    let far = Vector::new(0.0, 1.0);
-    let mut points = points_at(5.0, 0.0, false);
-    points[7].position = far;
-    let fault = Measured::new(points, &free()).unwrap_err();
-    assert!(
-        matches!(fault, MeasuredFault::FarOff { row: 9, .. }),
-        "{fault}"
-    );
 }
 
 #[test]

@@ -43,6 +43,7 @@ const COMPARE_EXAMPLES: &str = "\
 Examples:
   sinew compare free.toml photo.csv                 the pull that fits best
   sinew compare free.toml photo.csv --pull 10 --out both.svg
+  sinew compare free.toml scan.txt                  as numpy saves it
   sinew compare measured.toml                       the points in the scene";
 
 const REPRODUCE_EXAMPLES: &str = "\
@@ -153,7 +154,7 @@ pub(super) struct Force {
     pub scene: PathBuf,
 
     /// Loads on the cable in grams, counted from contact: FIRST:LAST:STEP or a
-    /// list such as 50,100,350.
+    /// list such as 50,100,350. Those up to the end of the branch are printed.
     #[arg(
         long,
         value_name = "GRAMS",
@@ -245,11 +246,13 @@ pub(super) struct Compare {
     pub scene: PathBuf,
 
     /// The measured backbone: CSV with columns x_mm, y_mm and perhaps node, in
-    /// the scene's frame, base to tip; - for standard input. The one in the
-    /// scene, where none is named.
+    /// the scene's frame, base to tip; - for standard input. A head may name
+    /// other units, as x_m or "x (cm)". The one in the scene, where none is
+    /// named.
     pub measured: Option<PathBuf>,
 
-    /// The pull in mm, where it is known; otherwise the one that fits best.
+    /// The pull in mm, where it is known; otherwise the one that fits best on
+    /// the whole branch.
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     pub pull: Option<f64>,
 

@@ -10,6 +10,7 @@ use super::solve::{RESOLUTION, finish};
 use super::{Failure, Outcome};
 use super::{compare, input};
 use crate::equilibrium::{Caution, Run, Settings, Start, Status};
+use crate::experiments::Measured;
 use crate::math::{decimals, unsigned_zero};
 use crate::model::Problem;
 use crate::scene::limits::shown;
@@ -22,8 +23,11 @@ const NAMED: usize = 8;
 pub(super) fn run(what: &Check) -> Result<Outcome, Failure> {
     let (scene, problem) = input::problem(&what.scene, None)?;
     // What `compare` would refuse is a fault, too.
-    compare::held(&scene, &problem, &input::origin(&what.scene))?;
+    let measured = compare::held(&scene, &problem, &input::origin(&what.scene))?;
     let mut text = summary(&scene, &problem);
+    if let Some(measured) = measured {
+        text.push_str(&format!("\n{}", backbone(&scene, &measured)));
+    }
     for sentence in cautions(&scene, &problem) {
         text.push_str(&format!("\nCaution: {sentence}"));
     }
@@ -79,6 +83,19 @@ fn summary(scene: &Scene, problem: &Problem) -> String {
 /// A number of the file, with no sign where it is zero.
 fn number(value: f64) -> String {
     shown(unsigned_zero(value))
+}
+
+/// What the scene's measured backbone is.
+fn backbone(scene: &Scene, measured: &Measured) -> String {
+    let count = scene
+        .measured
+        .as_ref()
+        .map_or(0, |held| held.points_mm.len());
+    let length = millimetres(measured.length());
+    format!(
+        "The measured backbone has {count} points and is {} mm long.",
+        decimals(length, 1)
+    )
 }
 
 fn obstacles(scene: &Scene) -> String {

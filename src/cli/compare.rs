@@ -7,9 +7,11 @@ use serde::Serialize;
 
 use super::arguments::{Compare, Format};
 use super::input::{self, BadInput};
-use super::output::{object, printable, reader, record};
+use super::output::{object, printable, pull_shown, reader, record};
+use super::progress::Progress;
 use super::{Failure, Outcome, tables};
 use crate::equilibrium::{Settings, Solution, Start, Status, solve};
+use crate::experiments::measured_csv::LeftOut;
 use crate::experiments::{
     Axis, Chart, Mark, Measured, Series, ShapeError, ShapeFit, best_pull, compare,
 };
@@ -20,6 +22,9 @@ use crate::report::chart;
 use crate::scene::Scene;
 use crate::units::millimetres;
 
+/// Steps of the progress bar.
+const RESOLUTION: u32 = 1000;
+
 pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
     let standard_input = |path: &std::path::PathBuf| path.as_os_str() == "-";
     if standard_input(&what.scene) && what.measured.as_ref().is_some_and(standard_input) {
@@ -27,24 +32,43 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
         return Err(BadInput::Arguments(both.to_owned()).into());
     }
     let (scene, problem) = input::problem(&what.scene, what.pull)?;
-    let measured = match &what.measured {
+    let (measured, left_out) = match &what.measured {
         Some(path) => tables::measured(path, &problem)?,
         None => {
             let origin = input::origin(&what.scene);
-            held(&scene, &problem, &origin)?.ok_or_else(|| none_held(&origin))?
+            let measured = held(&scene, &problem, &origin)?.ok_or_else(|| none_held(&origin))?;
+            (measured, LeftOut::default())
         }
     };
-    let (problem, solution, fit) = match what.pull {
+    let (problem, solution, fit, how, ended) = match what.pull {
         Some(_) => {
             let solution = solve(&problem, Start::Straight, Settings::default());
-            if solution.status != Status::Converged {
-                return Ok(Outcome::NotConverged(solution.status.reason()));
+            let reason = match &solution.status {
+                Status::Converged => None,
+                status => Some(format!(
+                    "not converged at pull {} mm: {}",
+                    pull_shown(problem.pull()),
+                    status.reason()
+                )),
+            };
+            if let Some(reason) = &reason
+                && !solution.certificate.holds()
+            {
+                return Ok(Outcome::NotConverged(reason.clone()));
             }
+            let how = match reason {
+                Some(_) => "the last good before the one given",
+                None => "given",
+            };
+            let ended = reason.map(|reason| {
+                let last = pull_shown(solution.pull);
+                format!("{reason}; the last good state, at pull {last} mm, is compared")
+            });
             let fit = compare(&solution, &measured);
-            (problem, solution, fit)
+            (problem, solution, fit, how, ended)
         }
-        None => match best_pull(&problem, &measured) {
-            Ok(found) => found,
+        None => match best(&problem, &measured) {
+            Ok((problem, solution, fit)) => (problem, solution, fit, "best fit", None),
             Err(ShapeError::NotReached(status)) => {
                 return Ok(Outcome::NotConverged(status.reason()));
             }
@@ -56,7 +80,7 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
         fs::write(path, picture).map_err(|error| super::draw::named(path, &error))?;
     }
     let title = printable(scene.title.as_deref().unwrap_or("Untitled scene"));
-    let found = Found::of(title, what.pull.is_some(), &problem, &measured, &fit);
+    let found = Found::of(title, how, &problem, (&measured, &left_out), &fit);
     let mut out = BufWriter::new(io::stdout().lock());
     let written = match what.format {
         Format::Text => text(&mut out, &found),
@@ -65,7 +89,22 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
         Format::Csv => csv(&mut out, &found),
     };
     reader(written.and_then(|()| out.flush()))?;
-    Ok(Outcome::Done)
+    // The other formats hold it.
+    if !left_out.rows().is_empty() && what.format == Format::Csv {
+        super::tell(&left_out.to_string());
+    }
+    Ok(ended.map_or(Outcome::Done, Outcome::NotConverged))
+}
+
+/// The best pull, with a bar for whoever waits.
+fn best(
+    problem: &Problem,
+    measured: &Measured,
+) -> Result<(Problem, Solution, ShapeFit), ShapeError> {
+    let mut progress = Progress::new("fitting", RESOLUTION);
+    best_pull(problem, measured, |share| {
+        progress.at((share * f64::from(RESOLUTION)) as u32);
+    })
 }
 
 /// The measured backbone that the scene itself holds, if any.
@@ -95,7 +134,8 @@ struct Found {
     schema: &'static str,
     title: String,
     pull_mm: f64,
-    /// `given` or `best fit`.
+    /// `given`, `best fit` or, where the given one is not reached, that it is
+    /// the last good one.
     pull: &'static str,
     /// What each point was compared with.
     against: &'static str,
@@ -104,6 +144,13 @@ struct Found {
     max_mm: f64,
     max_percent_of_length: f64,
     max_row: usize,
+    /// The length of the line through the points.
+    length_mm: f64,
+    length_percent: f64,
+    /// The rows that hold nothing.
+    left_out: Vec<usize>,
+    #[serde(skip)]
+    about_left_out: String,
     points: Vec<Point>,
 }
 
@@ -118,9 +165,9 @@ struct Point {
 impl Found {
     fn of(
         title: String,
-        given: bool,
+        how: &'static str,
         problem: &Problem,
-        measured: &Measured,
+        (measured, left_out): (&Measured, &LeftOut),
         fit: &ShapeFit,
     ) -> Self {
         let percent = |distance: f64| 100.0 * distance / problem.length();
@@ -129,7 +176,7 @@ impl Found {
             schema: SCHEMA,
             title,
             pull_mm: millimetres(fit.pull),
-            pull: if given { "given" } else { "best fit" },
+            pull: how,
             against: if measured.by_node() {
                 "its own node"
             } else {
@@ -140,6 +187,10 @@ impl Found {
             max_mm: millimetres(fit.max),
             max_percent_of_length: percent(fit.max),
             max_row: fit.max_row,
+            length_mm: millimetres(measured.length()),
+            length_percent: percent(measured.length()),
+            left_out: left_out.rows().to_vec(),
+            about_left_out: left_out.to_string(),
             points: points
                 .map(|(point, distance)| Point {
                     row: point.row,
@@ -171,7 +222,16 @@ fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
         "  points   {}, each against {}",
         found.points.len(),
         found.against
-    )
+    )?;
+    writeln!(
+        out,
+        "  length   {:.1} mm through the points, {:.1} % of the robot's",
+        found.length_mm, found.length_percent
+    )?;
+    if !found.left_out.is_empty() {
+        writeln!(out, "  caution: {}", found.about_left_out)?;
+    }
+    Ok(())
 }
 
 fn csv(out: &mut impl Write, found: &Found) -> io::Result<()> {

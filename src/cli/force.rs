@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::arguments::{Force, Format, Motion};
 use super::input::{self, BadInput};
-use super::output::{object, printable, reader};
+use super::output::{object, printable, pull_shown, reader};
 use super::{Failure, Outcome, force_text, numbers};
 use crate::equilibrium::{Settings, Start, Status, solve};
 use crate::forces::{
@@ -27,39 +27,43 @@ const PULLS: usize = 41;
 pub(super) fn run(what: &Force) -> Result<Outcome, Failure> {
     let (scene, problem) = input::problem(&what.scene, None)?;
     let loads = numbers::loads("--loads", &what.loads)?;
-    let found = match estimate(what, &scene, &problem, &loads) {
-        Ok(found) => found,
-        Err(Trouble::Input(input)) => return Err(input.into()),
-        Err(Trouble::Sweep(error @ SweepError::NotReached { .. })) => {
-            return Ok(Outcome::NotConverged(error.to_string()));
-        }
-        Err(Trouble::Sweep(error)) => return Err(BadInput::Arguments(error.to_string()).into()),
-    };
+    let found = estimate(what, &scene, &problem, &loads)?;
     let mut out = BufWriter::new(io::stdout().lock());
     let written = match what.format {
         Format::Text => force_text::text(&mut out, &found),
         Format::Json => json(&mut out, &found),
         Format::Csv => csv(&mut out, &found),
     };
+    // Whoever stopped reading still gets the exit code.
     reader(written.and_then(|()| out.flush()))?;
-    Ok(Outcome::Done)
+    Ok(found.reason.map_or(Outcome::Done, Outcome::NotConverged))
 }
 
-/// What keeps the estimate from being made.
-enum Trouble {
-    Input(BadInput),
-    Sweep(SweepError),
-}
+/// What the robot does not get to, each once.
+#[derive(Default)]
+struct Unreached(Vec<String>);
 
-impl From<BadInput> for Trouble {
-    fn from(input: BadInput) -> Self {
-        Trouble::Input(input)
+impl Unreached {
+    /// The result, unless the robot does not get there.
+    fn but<T>(&mut self, result: Result<T, SweepError>) -> Result<Option<T>, BadInput> {
+        match result {
+            Ok(found) => Ok(Some(found)),
+            Err(error @ SweepError::NotReached { .. }) => {
+                self.note(error.to_string());
+                Ok(None)
+            }
+            Err(error) => Err(wrong(error)),
+        }
     }
-}
 
-impl From<SweepError> for Trouble {
-    fn from(error: SweepError) -> Self {
-        Trouble::Sweep(error)
+    fn note(&mut self, reason: String) {
+        if !self.0.contains(&reason) {
+            self.0.push(reason);
+        }
+    }
+
+    fn reason(self) -> Option<String> {
+        (!self.0.is_empty()).then(|| self.0.join("; "))
     }
 }
 
@@ -74,6 +78,25 @@ const SCHEMA: &str = "sinew-force-1";
 pub(super) struct Found {
     pub schema: &'static str,
     pub title: String,
+    /// Not where the robot does not get through the window.
+    #[serde(flatten)]
+    pub virtual_work: Option<ByVirtualWork>,
+    /// At `pull_mm`.
+    pub contacts: Vec<Share>,
+    /// The scene's own pull, or the last before it that the robot gets to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pull_mm: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub by_multipliers: Option<ByMultipliers>,
+    /// The loads that are reached.
+    pub loads: Vec<Row>,
+    /// Why something is missing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+}
+
+#[derive(Serialize)]
+pub(super) struct ByVirtualWork {
     pub node: usize,
     pub motion: &'static str,
     pub window_mm: [f64; 2],
@@ -85,12 +108,6 @@ pub(super) struct Found {
     pub friction_from: String,
     pub force_per_load: f64,
     pub caveats: Vec<String>,
-    /// At the scene's own pull.
-    pub contacts: Vec<Share>,
-    pub pull_mm: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub by_multipliers: Option<ByMultipliers>,
-    pub loads: Vec<Row>,
 }
 
 /// A straight line over the pull: x and y in mm, the slope in degrees.
@@ -127,8 +144,10 @@ pub(super) struct ByMultipliers {
 #[derive(Serialize)]
 pub(super) struct Row {
     pub load_g: f64,
-    pub force_x_g: f64,
-    pub force_y_g: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force_x_g: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force_y_g: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub multipliers: Option<Loaded>,
 }
@@ -165,7 +184,75 @@ fn estimate(
     scene: &Scene,
     problem: &Problem,
     loads: &[f64],
-) -> Result<Found, Trouble> {
+) -> Result<Found, BadInput> {
+    let mut unreached = Unreached::default();
+    let worked = virtual_work(what, scene, problem, &mut unreached)?;
+    let stiffness = unreached.but(stiffness(what, scene, problem)?)?.flatten();
+    let loading = match stiffness {
+        Some((ei, from)) => {
+            let newtons: Vec<f64> = loads.iter().map(|load| newtons(*load)).collect();
+            let loading = unreached.but(Loading::of(problem, ei, &newtons))?;
+            loading.map(|loading| (ei, from, loading))
+        }
+        None => None,
+    };
+    let (contacts, pull_mm) = shares(scene, problem, &mut unreached);
+    let mut rows = Vec::with_capacity(loads.len());
+    for load_g in loads {
+        let load = newtons(*load_g);
+        let state = match &loading {
+            Some((_, _, loading)) => {
+                let state = loading.states.iter().find(|state| state.load == load);
+                // Nor does virtual work pull where no robot can follow.
+                let Some(state) = state else {
+                    continue;
+                };
+                Some(loaded(scene, problem, state))
+            }
+            None => None,
+        };
+        let force = worked.as_ref().map(|(estimator, _)| estimator.force(load));
+        let force = force.transpose().map_err(wrong)?;
+        if force.is_none() && state.is_none() {
+            break;
+        }
+        rows.push(Row {
+            load_g: *load_g,
+            force_x_g: force.map(|force| grams(force.x)),
+            force_y_g: force.map(|force| grams(force.y) + 0.0),
+            multipliers: state,
+        });
+    }
+    if let Some((_, _, Loading { end: Some(end), .. })) = &loading {
+        let reached = |load: &&f64| rows.iter().any(|row| row.load_g == **load);
+        let missing = loads.iter().filter(|load| !reached(load));
+        let least = missing.copied().fold(f64::INFINITY, f64::min);
+        unreached.note(format!("a load of {least} g is not reached: {end}"));
+    }
+    Ok(Found {
+        schema: SCHEMA,
+        title: printable(scene.title.as_deref().unwrap_or("Untitled scene")),
+        virtual_work: worked.map(|(_, told)| told),
+        contacts,
+        pull_mm,
+        by_multipliers: loading.as_ref().map(|(ei, from, loading)| ByMultipliers {
+            ei_n_mm2: newton_square_millimetres(ei.value()),
+            ei_from: from,
+            contact_pull_mm: loading.contact.map(millimetres),
+            datum_g: grams(loading.datum),
+        }),
+        loads: rows,
+        reason: unreached.reason(),
+    })
+}
+
+/// The estimator of virtual work, with what is told about it.
+fn virtual_work(
+    what: &Force,
+    scene: &Scene,
+    problem: &Problem,
+    unreached: &mut Unreached,
+) -> Result<Option<(VirtualWork, ByVirtualWork)>, BadInput> {
     let tip = problem.robot().segments;
     let node = what.node.unwrap_or(tip);
     let pair = |option, text| numbers::pair(option, text, "write two numbers as 0:10");
@@ -179,7 +266,10 @@ fn estimate(
         Motion::Contact => (problem.clone(), "contact"),
     };
     let pulls = Sweep::pulls(window.first, window.last, PULLS);
-    let rates = Rates::fit(&Sweep::of(&mover, node, &pulls)?, window).map_err(wrong)?;
+    let Some(sweep) = unreached.but(Sweep::of(&mover, node, &pulls))? else {
+        return Ok(None);
+    };
+    let rates = Rates::fit(&sweep, window).map_err(wrong)?;
     let offset = problem.robot().offset;
     let calibrated =
         |load, force| VirtualWork::calibrated(offset, rates, newtons(load), newtons(force));
@@ -204,30 +294,8 @@ fn estimate(
         ),
     };
     let estimator = estimator.map_err(wrong)?;
-    let loading = match stiffness(what, scene, problem)? {
-        Some((ei, from)) => {
-            let loads: Vec<f64> = loads.iter().map(|load| newtons(*load)).collect();
-            Some((ei, from, Loading::of(problem, ei, &loads)?))
-        }
-        None => None,
-    };
     let caveats = estimator.caveats(tip);
-    let (contacts, pull_mm) = shares(scene, problem)?;
-    let mut rows = Vec::with_capacity(loads.len());
-    for (index, load_g) in loads.iter().enumerate() {
-        let force = estimator.force(newtons(*load_g)).map_err(wrong)?;
-        rows.push(Row {
-            load_g: *load_g,
-            force_x_g: grams(force.x),
-            force_y_g: grams(force.y),
-            multipliers: loading
-                .as_ref()
-                .map(|(_, _, loading)| loaded(scene, problem, &loading.states[index])),
-        });
-    }
-    Ok(Found {
-        schema: SCHEMA,
-        title: printable(scene.title.as_deref().unwrap_or("Untitled scene")),
+    let told = ByVirtualWork {
         node,
         motion,
         window_mm: [first, last],
@@ -238,16 +306,8 @@ fn estimate(
         friction_from,
         force_per_load: estimator.force_per_load(),
         caveats: caveats.iter().map(ToString::to_string).collect(),
-        contacts,
-        pull_mm,
-        by_multipliers: loading.as_ref().map(|(ei, from, loading)| ByMultipliers {
-            ei_n_mm2: newton_square_millimetres(ei.value()),
-            ei_from: from,
-            contact_pull_mm: loading.contact.map(millimetres),
-            datum_g: grams(loading.datum),
-        }),
-        loads: rows,
-    })
+    };
+    Ok(Some((estimator, told)))
 }
 
 fn without_obstacles(problem: &Problem) -> Problem {
@@ -266,12 +326,11 @@ fn line(fit: &crate::forces::LineFit, unit: fn(f64) -> f64) -> Line {
     }
 }
 
-/// The stiffness asked for, or else the scene's, with where it comes from.
-fn stiffness(
-    what: &Force,
-    scene: &Scene,
-    problem: &Problem,
-) -> Result<Option<(Stiffness, &'static str)>, Trouble> {
+/// A stiffness with where it comes from, or why there is none.
+type Known = Result<Option<(Stiffness, &'static str)>, SweepError>;
+
+/// The stiffness asked for, or else the scene's.
+fn stiffness(what: &Force, scene: &Scene, problem: &Problem) -> Result<Known, BadInput> {
     let pair = |option, text| numbers::pair(option, text, "write two numbers as 2.2:3");
     let (made, from) = if let Some(ei) = what.ei {
         (Stiffness::new(newton_square_metres(ei)), "--ei")
@@ -286,22 +345,22 @@ fn stiffness(
         let (least, most) = problem.robot().pull_range();
         let pull = metres(pull_mm);
         if !(least..=most).contains(&pull) {
-            return Err(SweepError::OutOfRange { pull, least, most }.into());
+            return Ok(Err(SweepError::OutOfRange { pull, least, most }));
         }
         let mut there = problem.clone();
         there.set_pull(pull);
         let solution = solve(&there, Start::Straight, Settings::default());
         if solution.status != Status::Converged {
             let (pull, status) = (solution.pull, solution.status);
-            return Err(SweepError::NotReached { pull, status }.into());
+            return Ok(Err(SweepError::NotReached { pull, status }));
         }
         let made = Stiffness::calibrated(&there, &solution, newtons(load_g));
         (made, "--weighed")
     } else {
         let held = Stiffness::of_scene(scene).map_err(wrong)?;
-        return Ok(held.map(|ei| (ei, "robot.bending_stiffness_nmm2")));
+        return Ok(Ok(held.map(|ei| (ei, "robot.bending_stiffness_nmm2"))));
     };
-    Ok(Some((made.map_err(wrong)?, from)))
+    Ok(Ok(Some((made.map_err(wrong)?, from))))
 }
 
 /// A contact in words: `disk 6, cable side, on lower`.
@@ -313,12 +372,23 @@ fn label(scene: &Scene, part: String, obstacle: usize) -> String {
     format!("{part}, on {on}")
 }
 
-/// F/T of every contact at the scene's own pull, which needs no stiffness.
-fn shares(scene: &Scene, problem: &Problem) -> Result<(Vec<Share>, f64), Trouble> {
+/// F/T of every contact at the scene's own pull, which needs no stiffness, or
+/// at the last before it that the robot gets to, and that pull in mm.
+fn shares(
+    scene: &Scene,
+    problem: &Problem,
+    unreached: &mut Unreached,
+) -> (Vec<Share>, Option<f64>) {
     let solution = solve(problem, Start::Straight, Settings::default());
     if solution.status != Status::Converged {
-        let (pull, status) = (solution.pull, solution.status);
-        return Err(SweepError::NotReached { pull, status }.into());
+        let (pull, reason) = (pull_shown(problem.pull()), solution.status.reason());
+        let last = pull_shown(solution.pull);
+        unreached.note(format!(
+            "the scene's pull of {pull} mm is not reached, only {last} mm: {reason}"
+        ));
+        if !solution.certificate.holds() {
+            return (Vec::new(), None);
+        }
     }
     let contacts = solution.contacts.iter().map(|contact| Share {
         contact: label(scene, part_name(problem.robot(), contact), contact.obstacle),
@@ -326,7 +396,7 @@ fn shares(scene: &Scene, problem: &Problem) -> Result<(Vec<Share>, f64), Trouble
         obstacle: contact.obstacle,
         force_over_tension: share_of_tension(&solution, contact),
     });
-    Ok((contacts.collect(), millimetres(solution.pull)))
+    (contacts.collect(), Some(millimetres(solution.pull)))
 }
 
 fn loaded(scene: &Scene, problem: &Problem, state: &crate::forces::Loaded) -> Loaded {
@@ -369,11 +439,14 @@ fn csv(out: &mut impl Write, found: &Found) -> io::Result<()> {
     }
     super::output::record(&mut table, head)?;
     for row in &found.loads {
-        let mut fields = vec![row.load_g, row.force_x_g, row.force_y_g];
+        let mut fields = vec![Some(row.load_g), row.force_x_g, row.force_y_g];
         if let Some(loaded) = &row.multipliers {
-            fields.extend([loaded.pull_mm, loaded.tension_g, loaded.force_g]);
+            let numbers = [loaded.pull_mm, loaded.tension_g, loaded.force_g];
+            fields.extend(numbers.map(Some));
         }
-        let fields = fields.iter().map(|value| shortest(*value));
+        let fields = fields
+            .iter()
+            .map(|value| value.map_or_else(String::new, shortest));
         super::output::record(&mut table, fields)?;
     }
     table.flush()

@@ -2,31 +2,42 @@
 
 use std::io::{self, Write};
 
-use super::force::Found;
+use super::force::{ByVirtualWork, Found};
+use super::output::pull_shown;
 use crate::experiments::shown;
 use crate::math::{decimals, unsigned_zero};
 use crate::scene::limits;
+use crate::units::metres;
 
 /// The report: the lines of virtual work, the multipliers, the table of loads.
 pub(super) fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
-    let [first, last] = found.window_mm;
     writeln!(out, "{}\n", found.title)?;
     writeln!(out, "Virtual work (eq. 11)\n")?;
-    let whose = match found.motion {
+    match &found.virtual_work {
+        Some(known) => virtual_work(out, known)?,
+        None => writeln!(out, "  The robot does not get through the window.")?,
+    }
+    multipliers(out, found)?;
+    table(out, found)
+}
+
+fn virtual_work(out: &mut impl Write, known: &ByVirtualWork) -> io::Result<()> {
+    let [first, last] = known.window_mm;
+    let whose = match known.motion {
         "free" => "free robot",
         _ => "robot among its obstacles",
     };
     writeln!(
         out,
         "  motion   node {} of the {whose}, pulls of {} to {} mm",
-        found.node,
+        known.node,
         shown_mm(first),
         shown_mm(last)
     )?;
     for (name, line, unit) in [
-        ("x", &found.x, "mm"),
-        ("y", &found.y, "mm"),
-        ("slope", &found.slope, "deg"),
+        ("x", &known.x, "mm"),
+        ("y", &known.y, "mm"),
+        ("slope", &known.slope, "deg"),
     ] {
         writeln!(
             out,
@@ -40,19 +51,18 @@ pub(super) fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
     writeln!(
         out,
         "  mu       {:>9} ({})",
-        shown(found.friction, 4),
-        found.friction_from
+        shown(known.friction, 4),
+        known.friction_from
     )?;
     writeln!(
         out,
         "  force    {:>9} of the load",
-        shown(found.force_per_load, 5)
+        shown(known.force_per_load, 5)
     )?;
-    for caveat in &found.caveats {
+    for caveat in &known.caveats {
         writeln!(out, "  caution: {caveat}")?;
     }
-    multipliers(out, found)?;
-    table(out, found)
+    Ok(())
 }
 
 fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
@@ -79,7 +89,9 @@ fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
             "  Forces need a stiffness: --ei, --rod, --weighed or the scene's. Without one:"
         )?,
     }
-    let pull_mm = shown_mm(found.pull_mm);
+    let Some(pull_mm) = found.pull_mm.map(|pull| pull_shown(metres(pull))) else {
+        return Ok(());
+    };
     if found.contacts.is_empty() {
         writeln!(out, "  At a pull of {pull_mm} mm nothing touches.")?;
     }
@@ -99,6 +111,9 @@ fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
 
 fn table(out: &mut impl Write, found: &Found) -> io::Result<()> {
     let both = found.by_multipliers.is_some();
+    if found.loads.is_empty() {
+        return Ok(());
+    }
     write!(out, "\n  {:>8}  {:>8}  {:>8}", "load", "P_x", "P_y")?;
     if both {
         write!(
@@ -112,13 +127,14 @@ fn table(out: &mut impl Write, found: &Found) -> io::Result<()> {
         write!(out, "  {:>8}  {:>8}  {:>8}", "mm", "g", "g")?;
     }
     writeln!(out)?;
+    let force = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |g| shown(g, 2));
     for row in &found.loads {
         write!(
             out,
             "  {:>8}  {:>8}  {:>8}",
             row.load_g,
-            shown(row.force_x_g, 2),
-            shown(row.force_y_g, 2)
+            force(row.force_x_g),
+            force(row.force_y_g)
         )?;
         if let Some(loaded) = &row.multipliers {
             let parts = loaded.contacts.iter();

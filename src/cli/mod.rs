@@ -101,6 +101,11 @@ fn explain(error: &clap::Error) {
     };
 }
 
+/// A line on standard error that complains of nothing.
+fn tell(text: &str) {
+    let _ = writeln!(io::stderr().lock(), "note: {text}");
+}
+
 /// One line on standard error. Unlike `eprintln!`, it survives that being
 /// closed.
 fn complain(text: &str) {

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use super::input::{self, BadInput};
-use crate::experiments::measured_csv::{self, records};
+use crate::experiments::measured_csv::{self, LeftOut, records};
 use crate::experiments::{ForceRow, ForceTable, Measured, MeasuredPoint};
 use crate::model::Problem;
 use anyhow::{Context, anyhow, bail};
@@ -53,15 +53,14 @@ fn force_table(text: &str) -> anyhow::Result<ForceTable> {
     Ok(ForceTable::new(distances_mm, rows?)?)
 }
 
-/// A measured backbone from a file, checked against the robot it belongs to.
-pub(super) fn measured(path: &Path, problem: &Problem) -> Result<Measured, BadInput> {
+/// A measured backbone from a file, checked against the robot it belongs to, and
+/// the rows that hold nothing.
+pub(super) fn measured(path: &Path, problem: &Problem) -> Result<(Measured, LeftOut), BadInput> {
     let bytes = input::bytes(path, "a measured backbone is a CSV text file");
     let parsed = bytes.and_then(|bytes| {
-        let points = measured_csv::backbone(&bytes)?.into_iter();
-        Ok(Measured::new(
-            points.map(MeasuredPoint::from).collect(),
-            problem,
-        )?)
+        let (rows, left_out) = measured_csv::backbone(&bytes)?;
+        let points = rows.into_iter().map(MeasuredPoint::from);
+        Ok((Measured::new(points.collect(), problem)?, left_out))
     });
     Ok(parsed.map_err(|error| error.context(input::origin(path)))?)
 }

@@ -9,22 +9,25 @@
 //! Items are for readers, so their numbers are in the units of reports:
 //! millimetres, grams, degrees.
 
+mod best_pull;
 mod item;
+mod links;
 mod load_cell;
+mod measured;
 #[cfg(any(feature = "app", feature = "cli"))]
 pub mod measured_csv;
-mod measured_shape;
 mod scenes;
+mod shape_fit;
 mod shapes;
 mod table;
 mod tip;
 mod window;
 
+pub use best_pull::{ShapeError, best_pull};
 pub use item::{Axis, Chart, Check, Id, Item, Mark, Picture, Series, Verdict, shown};
-pub use measured_shape::{
-    Measured, MeasuredFault, MeasuredPoint, ShapeError, ShapeFit, best_pull, compare,
-};
+pub use measured::{Measured, MeasuredFault, MeasuredPoint};
 pub use scenes::PaperScene;
+pub use shape_fit::{ShapeFit, compare};
 pub use table::{Errors, ForceRow, ForceTable, TableFault};
 pub use window::{PullWindow, pull_window};
 

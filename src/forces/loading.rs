@@ -7,7 +7,7 @@
 use super::statics::Statics;
 use super::stiffness::Stiffness;
 use super::sweep::SweepError;
-use crate::equilibrium::{Class, Settings, Solution, Start, Status, solve};
+use crate::equilibrium::{Class, EndReason, Settings, Solution, Start, Status, solve};
 use crate::model::Problem;
 use std::f64::consts::TAU;
 
@@ -31,8 +31,10 @@ pub struct Loading {
     /// The cable's tension there, which loads are counted from, in N; 0 without
     /// contact.
     pub datum: f64,
-    /// By load, as asked for.
+    /// The loads that are reached, in the order asked for.
     pub states: Vec<Loaded>,
+    /// Why the others are not: where the robot's branch ends.
+    pub end: Option<SweepError>,
 }
 
 /// Steps of the pull, over the cable offset: the runs' own.
@@ -42,6 +44,7 @@ const STEP: f64 = 1.0 / 16.0;
 const GRAIN: f64 = 1e-11;
 
 /// A pull that was solved for.
+#[derive(Clone)]
 struct State {
     problem: Problem,
     solution: Solution,
@@ -57,38 +60,40 @@ impl State {
         contacts.iter().any(|c| c.class == Class::Pressing)
     }
 
-    /// How far a step along the pull leads.
-    fn step(&self) -> f64 {
-        STEP * self.problem.robot().offset
-    }
-
-    /// The state a step on.
-    fn stepped(&self) -> Result<State, SweepError> {
-        let pull = self.solution.pull + self.step();
-        let (least, most) = self.problem.robot().pull_range();
-        if pull > most {
-            return Err(SweepError::OutOfRange { pull, least, most });
+    /// The state a step on along the pull, or the last one before it with the
+    /// reason why there is none after that.
+    fn stepped(&self) -> (State, Option<SweepError>) {
+        let robot = self.problem.robot();
+        let (_, most) = robot.pull_range();
+        let pull = self.solution.pull;
+        if pull >= most {
+            // All segments are alike.
+            let (reason, segment) = (EndReason::LinkageLimit, 1);
+            let status = Status::BranchEnded { reason, segment };
+            return (self.clone(), Some(SweepError::NotReached { pull, status }));
         }
-        self.at(pull)
+        let there = self.solved((pull + STEP * robot.offset).min(most));
+        let end = there.fault();
+        match end {
+            Some(_) if !there.solution.certificate.holds() => (self.clone(), end),
+            _ => (there, end),
+        }
     }
 
-    /// The state at a pull near this one.
-    fn at(&self, pull: f64) -> Result<State, SweepError> {
+    /// The state at a pull near this one, or the last one before it.
+    fn solved(&self, pull: f64) -> State {
         let mut problem = self.problem.clone();
         problem.set_pull(pull);
         let start = Start::From(&self.problem, &self.solution);
         let solution = solve(&problem, start, Settings::default());
-        converged(solution).map(|solution| State { problem, solution })
+        problem.set_pull(solution.pull);
+        State { problem, solution }
     }
-}
 
-fn converged(solution: Solution) -> Result<Solution, SweepError> {
-    match solution.status {
-        Status::Converged => Ok(solution),
-        status => Err(SweepError::NotReached {
-            pull: solution.pull,
-            status,
-        }),
+    /// Why it is not the state that was asked for.
+    fn fault(&self) -> Option<SweepError> {
+        let (pull, status) = (self.solution.pull, self.solution.status.clone());
+        (status != Status::Converged).then_some(SweepError::NotReached { pull, status })
     }
 }
 
@@ -96,31 +101,35 @@ impl Loading {
     /// The states under loads, in N, at a stiffness: for each the first pull,
     /// from contact on, at which the cable's tension is the load's. A robot that
     /// meets nothing within a full turn is loaded from its straight shape on.
+    /// Where its branch ends, the loads after that are left out.
     ///
     /// # Errors
-    /// If the robot does not get to a load: its branch ends before.
+    /// If the straight robot cannot be solved for.
     pub fn of(problem: &Problem, stiffness: Stiffness, loads: &[f64]) -> Result<Self, SweepError> {
         let per_bend = stiffness.per_bend(problem);
-        let touching = first_contact(problem)?;
+        let straight = straight(problem)?;
+        let touching = first_contact(&straight);
         let contact = touching.as_ref().map(|state| state.solution.pull);
-        let mut here = match touching {
-            Some(state) => state,
-            None => straight(problem)?,
-        };
+        let mut here = touching.unwrap_or(straight);
         let datum = contact.map_or(0.0, |_| here.tension(per_bend));
         let mut order: Vec<usize> = (0..loads.len()).collect();
         order.sort_by(|a, b| loads[*a].total_cmp(&loads[*b]));
         let mut waiting = order.into_iter().peekable();
         let mut found: Vec<(usize, Loaded)> = Vec::with_capacity(loads.len());
+        let mut end = None;
         while let Some(&index) = waiting.peek() {
-            let next = here.stepped()?;
+            let (next, ended) = here.stepped();
             let reached = |state: &State| state.tension(per_bend) >= datum + loads[index];
             if !reached(&next) {
+                if ended.is_some() {
+                    end = ended;
+                    break;
+                }
                 here = next;
                 continue;
             }
             // Two loads may lie in one step, so `here` stays.
-            let there = edge(&here, &next, reached)?;
+            let there = edge(&here, &next, reached);
             let loaded = Loaded {
                 load: loads[index],
                 pull: there.solution.pull,
@@ -134,6 +143,7 @@ impl Loading {
             contact,
             datum,
             states: found.into_iter().map(|(_, loaded)| loaded).collect(),
+            end,
         })
     }
 }
@@ -142,48 +152,45 @@ fn straight(problem: &Problem) -> Result<State, SweepError> {
     let mut problem = problem.clone();
     problem.set_pull(0.0);
     let solution = solve(&problem, Start::Straight, Settings::default());
-    converged(solution).map(|solution| State { problem, solution })
+    let state = State { problem, solution };
+    state.fault().map_or(Ok(state), Err)
 }
 
-/// Where the robot begins to press, within a full turn.
-fn first_contact(problem: &Problem) -> Result<Option<State>, SweepError> {
-    let mut here = straight(problem)?;
+/// Where the robot begins to press, within a full turn of its branch.
+fn first_contact(straight: &State) -> Option<State> {
+    let mut here = straight.clone();
     if here.presses() {
-        return Ok(Some(here));
+        return Some(here);
     }
-    if problem.obstacles().is_empty() {
-        return Ok(None);
-    }
-    let (_, most) = problem.robot().pull_range();
+    let problem = &straight.problem;
     let turn = TAU * problem.robot().offset;
-    while here.solution.pull < (most - here.step()).min(turn) {
-        let next = here.stepped()?;
+    while !problem.obstacles().is_empty() && here.solution.pull < turn {
+        let (next, ended) = here.stepped();
         if next.presses() {
-            return edge(&here, &next, State::presses).map(Some);
+            return Some(edge(&here, &next, State::presses));
+        }
+        if ended.is_some() {
+            break;
         }
         here = next;
     }
-    Ok(None)
+    None
 }
 
 /// The first state, between one where something does not hold and one where it
 /// does, at which it does, by bisection.
-fn edge(
-    before: &State,
-    after: &State,
-    holds: impl Fn(&State) -> bool,
-) -> Result<State, SweepError> {
+fn edge(before: &State, after: &State, holds: impl Fn(&State) -> bool) -> State {
     let grain = GRAIN * before.problem.length();
     let (mut low, mut high) = (before.solution.pull, after.solution.pull);
-    let mut found = after.at(high)?;
+    let mut found = after.clone();
     while high - low > grain {
         let middle = 0.5 * (low + high);
-        let there = before.at(middle)?;
-        if holds(&there) {
+        let there = before.solved(middle);
+        if there.fault().is_none() && holds(&there) {
             (high, found) = (middle, there);
         } else {
             low = middle;
         }
     }
-    Ok(found)
+    found
 }

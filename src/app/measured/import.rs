@@ -6,22 +6,23 @@ use crate::app::files::{faults_of, sentence, shown};
 use crate::app::notices::Notice;
 use crate::app::sheets::Sheet;
 use crate::app::state::{Selection, State};
-use crate::experiments::measured_csv::{BackboneRow, Sheet as Table};
+use crate::experiments::measured_csv::{LeftOut, Sheet as Table};
 use crate::experiments::{Measured, MeasuredPoint};
-use crate::geometry::Vector;
 use crate::model::Problem;
 use crate::scene::{Measurements, Scene};
-use crate::units::metres;
 use std::path::Path;
 
 /// Brings a table's measurements into the scene.
 pub fn import(state: &mut State, path: &Path, bytes: &[u8]) {
     let name = shown(path);
     match imported(&state.document.scene, bytes) {
-        Ok((measured, what)) => {
+        Ok((measured, what, left_out)) => {
             state.document.scene.measured = Some(measured);
             state.selection = Selection::Measured;
-            let told = format!("Imported {what} from {name}");
+            let mut told = format!("Imported {what} from {name}");
+            if !left_out.rows().is_empty() {
+                told = format!("{told}. {}", sentence(&left_out.to_string()));
+            }
             state.notices.tell(Notice::success(told));
         }
         Err(faults) => {
@@ -33,16 +34,17 @@ pub fn import(state: &mut State, path: &Path, bytes: &[u8]) {
     }
 }
 
-/// The scene's measurements with those of a table, and what was new.
-fn imported(scene: &Scene, bytes: &[u8]) -> Result<(Measurements, String), Vec<String>> {
+/// The scene's measurements with those of a table, what was new, and the rows
+/// that hold nothing.
+fn imported(scene: &Scene, bytes: &[u8]) -> Result<(Measurements, String, LeftOut), Vec<String>> {
     let one = |fault: &dyn std::fmt::Display| vec![sentence(&fault.to_string())];
-    let table = Table::read(bytes).map_err(|fault| one(&fault))?;
+    let (table, left_out) = Table::read(bytes).map_err(|fault| one(&fault))?;
     let what = match &table {
         Table::Backbone(rows) => format!("{} points of a backbone", rows.len()),
         Table::Forces(readings) => format!("{} force readings", readings.len()),
     };
     let points = match &table {
-        Table::Backbone(rows) => rows.iter().map(point).collect(),
+        Table::Backbone(rows) => rows.iter().copied().map(MeasuredPoint::from).collect(),
         Table::Forces(_) => Vec::new(),
     };
     let mut held = scene.measured.clone().unwrap_or_default();
@@ -55,16 +57,7 @@ fn imported(scene: &Scene, bytes: &[u8]) -> Result<(Measurements, String), Vec<S
     if !points.is_empty() {
         Measured::new(points, &problem).map_err(|fault| one(&fault))?;
     }
-    Ok((held, what))
-}
-
-/// A row's point, with the row for messages.
-fn point(row: &BackboneRow) -> MeasuredPoint {
-    MeasuredPoint {
-        row: row.row,
-        node: row.node.map(|node| node as usize),
-        position: Vector::new(metres(row.point_mm[0]), metres(row.point_mm[1])),
-    }
+    Ok((held, what, left_out))
 }
 
 #[cfg(test)]
@@ -74,15 +67,23 @@ mod tests {
     #[test]
     fn tables_of_both_kinds_are_taken_side_by_side() {
         let mut scene = Scene::default();
-        let (held, what) = imported(&scene, b"x_mm,y_mm\n0,0\n0,60\n2,120\n").unwrap();
+        let (held, what, _) = imported(&scene, b"x_mm,y_mm\n0,0\n0,60\n2,120\n").unwrap();
         assert_eq!(
             (held.points_mm.len(), &*what),
             (3, "3 points of a backbone")
         );
         scene.measured = Some(held);
-        let (held, what) = imported(&scene, b"load_g,force_g\n100,6\n200,13\n").unwrap();
+        let (held, what, _) = imported(&scene, b"load_g,force_g\n100,6\n200,13\n").unwrap();
         assert_eq!((held.points_mm.len(), held.forces.len()), (3, 2));
         assert_eq!(what, "2 force readings");
+    }
+
+    #[test]
+    fn rows_without_numbers_are_left_out_and_told() {
+        let table = b"x (cm),y (cm)\n0,0\nnan,nan\n0,6\n0,12\n";
+        let (held, _, left_out) = imported(&Scene::default(), table).unwrap();
+        assert_eq!(held.points_mm, [[0.0, 0.0], [0.0, 60.0], [0.0, 120.0]]);
+        assert_eq!(left_out.rows(), [3]);
     }
 
     #[test]
@@ -94,6 +95,10 @@ mod tests {
         check("x_mm,y_mm\n0,0\n0,60\n0,6000\n", "Row 4");
         check("x_mm,y_mm\n0,zero\n", "Row 2");
         check("a,b\n1,2\n", "Row 1");
+        check(
+            "x_mm,y_mm\n0,0\n0,9\n0,18\n",
+            "write them in mm, or name the unit",
+        );
         check("", "no rows of numbers");
     }
 }

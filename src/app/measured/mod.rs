@@ -108,7 +108,7 @@ pub fn search(state: &mut State) {
     let (sender, result) = channel();
     state.measuring.search = Some(Search { scene, result });
     state.files.platform.work(Box::new(move || {
-        let found = best_pull(&problem, &measured);
+        let found = best_pull(&problem, &measured, |_| {});
         let found = found
             .map(|(_, _, fit)| fit)
             .map_err(|error| error.to_string());

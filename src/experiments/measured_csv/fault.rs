@@ -31,6 +31,36 @@ pub enum SheetFault {
         /// The first row.
         row: usize,
     },
+    /// No head, and more columns than x and y.
+    #[error(
+        "row {row}: there are {fields} columns and no head that tells which are x and y; write one such as node,x_mm,y_mm above the numbers, and numbers as 12.5, with a point"
+    )]
+    Nameless {
+        /// The row.
+        row: usize,
+        /// How many columns it has.
+        fields: usize,
+    },
+    /// A unit that is none, or not of that kind.
+    #[error("row {row}: the unit of {found} is not known; write one of {known}")]
+    Unit {
+        /// The head's row.
+        row: usize,
+        /// The head's field, quoted.
+        found: String,
+        /// The signs of those that are.
+        known: String,
+    },
+    /// One of two columns has a unit.
+    #[error("row {row}: {with} names a unit and {without} does not; name that of both")]
+    HalfUnit {
+        /// The head's row.
+        row: usize,
+        /// The field with a unit, quoted.
+        with: String,
+        /// The one without, quoted.
+        without: String,
+    },
     /// A head without the columns of a backbone.
     #[error("row {row}: the head names no columns x_mm and y_mm (a column node may be there too)")]
     NoBackbone {
@@ -53,7 +83,7 @@ pub enum SheetFault {
         /// The row.
         row: usize,
         /// The column.
-        column: &'static str,
+        column: String,
     },
     /// More fields than the head has columns, as decimal commas make them.
     #[error(
@@ -73,7 +103,7 @@ pub enum SheetFault {
         /// The row.
         row: usize,
         /// The column.
-        column: &'static str,
+        column: String,
         /// The field, quoted.
         found: String,
     },
@@ -83,7 +113,7 @@ pub enum SheetFault {
         /// The row.
         row: usize,
         /// The column.
-        column: &'static str,
+        column: String,
         /// The number as one would write it.
         value: String,
         /// The range, such as `from 0 to 10`.

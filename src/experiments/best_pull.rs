@@ -1,0 +1,300 @@
+//! The pull whose shape is nearest to a measured one, over the whole branch.
+//!
+//! The branch is followed from the straight robot in steps, both ways. Between
+//! two shapes a and b of it, whose nodes are δ apart, a shape a share t of the
+//! straight way has at least the mean square distance
+//!
+//! ```text
+//! (1 − t) ρ_a² + t ρ_b² − t (1 − t) δ²
+//! ```
+//!
+//! with ρ the RMS distances of both: exactly that where points know their
+//! nodes. Less how far the branch bows out from the straight way, the least of
+//! it bounds what may be found between them. Pieces whose bound is below the
+//! best distance known are halved, the lowest first, until there are none. Each
+//! is solved from its near end, so that every shape is one that the robot comes
+//! to when it is drawn in.
+
+use super::shape_fit::rms_up_to;
+use super::{Measured, ShapeFit, compare};
+use crate::equilibrium::{Run, Settings, Solution, Start, Status, solve};
+use crate::geometry::Vector;
+use crate::model::Problem;
+use std::f64::consts::TAU;
+use std::rc::Rc;
+
+/// Why there is no best pull.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ShapeError {
+    /// The robot does not even get away from its start.
+    #[error("no pull of this robot can be solved for: {}", .0.reason())]
+    NotReached(Status),
+}
+
+/// Steps along the branch, over the cable offset: the runs' own.
+const STEP: f64 = 1.0 / 16.0;
+/// Most steps at once where the shape is far off.
+const STRIDE: f64 = 4.0;
+/// Turns of the tip that the search goes through either way, and at most as
+/// much cable as the robot is long.
+const TURNS: f64 = 20.0;
+/// Pieces shorter than this, over the length, are not halved: 0.2 nm of pull on
+/// the paper's robot.
+const GRAIN: f64 = 1e-9;
+/// Nor are those that may be nearer by less than this, over the length.
+const GAIN: f64 = 1e-11;
+/// How far a step may bow out, over the distance of its ends: a corner of 90°
+/// does.
+const BOW: f64 = 0.5;
+/// A half of it bows out by a quarter, where it has no corner.
+const BOW_OF_HALF: f64 = 0.25;
+/// A shape is far off that is worse than the best by this many times what it
+/// moves in the longest step: then the step's bound is above it.
+const FAR_OFF: f64 = 2.0;
+/// Halvings before the best known is taken for the best there is: far more than
+/// any shape needs that moves at all.
+const MOST_HALVINGS: usize = 5000;
+/// The share of the search's time that goes into the steps, about.
+const STEPPING: f64 = 0.8;
+
+/// The pull whose shape has the least RMS distance from a measured one, with
+/// that shape. The search tells `progress` what share of it is done, from 0 to
+/// 1, after each solve.
+///
+/// # Errors
+/// If the robot cannot be solved for at all.
+pub fn best_pull(
+    problem: &Problem,
+    measured: &Measured,
+    progress: impl FnMut(f64),
+) -> Result<(Problem, Solution, ShapeFit), ShapeError> {
+    let mut search = Search {
+        problem,
+        measured,
+        best: None,
+        open: Vec::new(),
+        progress,
+    };
+    search.step_along()?;
+    search.halve();
+    let best = search
+        .best
+        .ok_or(ShapeError::NotReached(Status::Unfinished))?;
+    let solution = best.solution.clone();
+    let fit = compare(&solution, measured);
+    Ok((at(problem, solution.pull), solution, fit))
+}
+
+/// A shape of the branch.
+struct Place {
+    solution: Solution,
+    /// Its RMS distance, in metres, or something below it that is far off.
+    rms: f64,
+}
+
+/// A piece of the branch, from a shape to one that the robot comes to from it.
+struct Piece {
+    from: Rc<Place>,
+    to: Rc<Place>,
+    /// How far the branch may bow out between them.
+    bow: f64,
+    /// Below every distance between them.
+    bound: f64,
+    /// How often it was halved.
+    halved: u32,
+}
+
+struct Search<'a, P> {
+    problem: &'a Problem,
+    measured: &'a Measured,
+    best: Option<Rc<Place>>,
+    /// Pieces that may hold something better than the best.
+    open: Vec<Piece>,
+    progress: P,
+}
+
+fn at(problem: &Problem, pull: f64) -> Problem {
+    let mut there = problem.clone();
+    there.set_pull(pull);
+    there
+}
+
+impl<P: FnMut(f64)> Search<'_, P> {
+    /// Follows the branch both ways to its ends.
+    fn step_along(&mut self) -> Result<(), ShapeError> {
+        let robot = self.problem.robot();
+        let (least, most) = robot.pull_range();
+        let far = (TURNS * TAU * robot.offset).min(robot.length);
+        let ends = [most, -least].map(|end| end.min(far));
+        let whole = ends.iter().sum::<f64>();
+        let mut gone = 0.0;
+        for (side, end) in [1.0, -1.0].into_iter().zip(ends) {
+            let step = STEP * robot.offset;
+            let mut target = at(self.problem, 0.0);
+            let mut run = Run::new(&target, Start::Straight, Settings::default());
+            let mut before: Option<Rc<Place>> = None;
+            // How far the shape moves in a step; not known yet.
+            let mut moved = robot.length;
+            let mut pull = 0.0;
+            loop {
+                let solution = run.finish();
+                // The end of a branch is an equilibrium like any other.
+                if solution.certificate.holds() {
+                    let far_off = self.best() + FAR_OFF * STRIDE * moved;
+                    let here = self.visit(solution.clone(), far_off);
+                    if let Some(before) = before.replace(here.clone()) {
+                        let steps = (here.solution.pull - before.solution.pull).abs() / step;
+                        moved = self.consider(before, here, BOW, 0) / steps;
+                    }
+                }
+                (self.progress)(STEPPING * (gone + pull) / whole);
+                if solution.status != Status::Converged {
+                    if self.best.is_none() {
+                        return Err(ShapeError::NotReached(solution.status.clone()));
+                    }
+                    break;
+                }
+                if pull >= end {
+                    break;
+                }
+                // As far as it has to move to become the best, and less.
+                let here = before.as_ref().map_or(f64::INFINITY, |place| place.rms);
+                let needed = (here - self.best()) / (2.0 * moved);
+                pull = (pull + step * needed.clamp(1.0, STRIDE)).min(end);
+                target.set_pull(side * pull);
+                run.retarget(&target);
+            }
+            gone += end;
+        }
+        Ok(())
+    }
+
+    /// Halves pieces until none may hold anything better.
+    fn halve(&mut self) {
+        let grain = GRAIN * self.problem.length();
+        let widths =
+            std::iter::successors(Some(STEP * self.problem.robot().offset), |w| Some(0.5 * w));
+        let levels = widths.take_while(|width| *width > grain).count().max(1);
+        let mut deepest = 0;
+        for _ in 0..MOST_HALVINGS {
+            let bounds = self.open.iter().map(|piece| piece.bound).enumerate();
+            let Some((lowest, _)) = bounds.min_by(|a, b| a.1.total_cmp(&b.1)) else {
+                break;
+            };
+            let piece = self.open.swap_remove(lowest);
+            deepest = deepest.max(piece.halved);
+            self.halve_one(piece);
+            let share = (f64::from(deepest) / levels as f64).min(1.0);
+            (self.progress)(STEPPING + (1.0 - STEPPING) * share);
+        }
+        (self.progress)(1.0);
+    }
+
+    fn halve_one(&mut self, piece: Piece) {
+        let (from, to) = (&piece.from.solution, &piece.to.solution);
+        if (to.pull - from.pull).abs() <= GRAIN * self.problem.length() {
+            return;
+        }
+        let middle = at(self.problem, 0.5 * (from.pull + to.pull));
+        let near = at(self.problem, from.pull);
+        let solution = solve(&middle, Start::From(&near, from), Settings::default());
+        if !solution.certificate.holds() {
+            return;
+        }
+        let bow = self.bow(from, &solution, to).max(BOW_OF_HALF * piece.bow);
+        let converged = solution.status == Status::Converged;
+        let middle = self.visit(solution, f64::INFINITY);
+        let halved = piece.halved + 1;
+        self.consider(piece.from, middle.clone(), bow, halved);
+        if converged {
+            self.consider(middle, piece.to, bow, halved);
+        }
+    }
+
+    /// A shape with its distance, which may be the best. It is not measured
+    /// exactly where it is above a limit.
+    fn visit(&mut self, solution: Solution, limit: f64) -> Rc<Place> {
+        let rms = rms_up_to(&solution, self.measured, limit);
+        let place = Rc::new(Place { solution, rms });
+        if self.best.is_none() || rms < self.best() {
+            self.best = Some(place.clone());
+            let promising = self.promising();
+            self.open.retain(|piece| piece.bound < promising);
+        }
+        place
+    }
+
+    /// The least distance known, in metres.
+    fn best(&self) -> f64 {
+        self.best.as_ref().map_or(f64::INFINITY, |best| best.rms)
+    }
+
+    /// Bounds from here on upwards promise nothing.
+    fn promising(&self) -> f64 {
+        self.best() - GAIN * self.problem.length()
+    }
+
+    /// Keeps a piece, if it may hold something better than the best, and returns
+    /// how far apart its ends are. The branch bows out by at most `bow`, in
+    /// metres or, for one that was not halved, over that distance.
+    fn consider(&mut self, from: Rc<Place>, to: Rc<Place>, bow: f64, halved: u32) -> f64 {
+        let way =
+            |node: usize| to.solution.nodes[node].position - from.solution.nodes[node].position;
+        let apart = self.size(way);
+        let bow = if halved == 0 {
+            bow * apart
+        } else {
+            bow.min(BOW * apart)
+        };
+        let bound = bound(from.rms, to.rms, apart) - bow;
+        if bound < self.promising() {
+            self.open.push(Piece {
+                from,
+                to,
+                bow,
+                bound,
+                halved,
+            });
+        }
+        apart
+    }
+
+    /// How far the middle of a piece is from the straight way between its ends.
+    fn bow(&self, from: &Solution, middle: &Solution, to: &Solution) -> f64 {
+        let way = |node: usize| to.nodes[node].position - from.nodes[node].position;
+        let gone = |node: usize| middle.nodes[node].position - from.nodes[node].position;
+        let nodes = 0..from.nodes.len();
+        let (along, whole) = nodes.fold((0.0, 0.0), |sums, node| {
+            let way = way(node);
+            (sums.0 + way.dot(&gone(node)), sums.1 + way.norm_squared())
+        });
+        let share = if whole > 0.0 { along / whole } else { 0.0 };
+        self.size(|node| gone(node) - share * way(node))
+    }
+
+    /// The size of a motion of the nodes, in the measure by which distances of
+    /// shapes differ at most: RMS over the points where these know their nodes,
+    /// and else the greatest.
+    fn size(&self, moved: impl Fn(usize) -> Vector) -> f64 {
+        if !self.measured.by_node() {
+            let nodes = 0..=self.problem.robot().segments;
+            return nodes.map(|node| moved(node).norm()).fold(0.0, f64::max);
+        }
+        let points = self.measured.points();
+        let nodes = points.iter().filter_map(|point| point.node);
+        let squares: f64 = nodes.map(|node| moved(node).norm_squared()).sum();
+        (squares / points.len() as f64).sqrt()
+    }
+}
+
+/// The least RMS distance on the straight way between two shapes of these RMS
+/// distances, so far apart.
+fn bound(from: f64, to: f64, apart: f64) -> f64 {
+    let (from, to, apart) = (from * from, to * to, apart * apart);
+    if apart == 0.0 {
+        return from.min(to).sqrt();
+    }
+    let share = (0.5 * (apart + from - to) / apart).clamp(0.0, 1.0);
+    let least = (1.0 - share) * from + share * to - share * (1.0 - share) * apart;
+    least.max(0.0).sqrt()
+}
