@@ -4,7 +4,7 @@ use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
 use sinew::experiments::{Measured, MeasuredFault, MeasuredPoint, PaperScene, best_pull, compare};
 use sinew::geometry::Vector;
 use sinew::model::Problem;
-use sinew::scene::Scene;
+use sinew::scene::{Measurements, Scene};
 use sinew::units::{metres, millimetres};
 
 fn near(found: f64, expected: f64, tolerance: f64) {
@@ -221,7 +221,7 @@ fn measured_points_that_make_no_sense_name_their_row() {
         assert_eq!(Measured::new(points, &free()), Err(expected));
     };
     check(&|p| p.clear(), false, MeasuredFault::Empty);
-    check(&|p| p.truncate(2), false, MeasuredFault::TooFew(2));
+    check(&|p| p.truncate(1), false, MeasuredFault::TooFew(1));
     check(
         &|p| p[3].position.x = f64::NAN,
         false,
@@ -266,4 +266,25 @@ fn measured_points_that_make_no_sense_name_their_row() {
         matches!(fault, MeasuredFault::FarOff { row: 9, .. }),
         "{fault}"
     );
+}
+
+/// As many points as the scene's check asks for are enough.
+#[test]
+fn two_points_of_a_scene_are_compared() {
+    for nodes in [vec![9, 18], Vec::new()] {
+        let mut scene = Scene::default();
+        let points = points_at(7.3, 0.0, true);
+        let held = [9, 18].map(|node| points[node].position.map(millimetres).into());
+        scene.measured = Some(Measurements {
+            points_mm: held.to_vec(),
+            nodes,
+            ..Measurements::default()
+        });
+        let problem = Problem::new(&scene).unwrap();
+        let held = scene.measured.as_ref().unwrap();
+        let measured = Measured::of_scene(held, &problem).unwrap();
+        let (_, solution, fit) = best_pull(&problem, &measured).unwrap();
+        near(millimetres(solution.pull), 7.3, 1e-5);
+        assert!(fit.rms < 1e-8, "{}", fit.rms);
+    }
 }

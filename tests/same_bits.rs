@@ -37,6 +37,7 @@ fn requests() -> Vec<Request> {
             };
             requests.push(Request {
                 generation: requests.len() as u64,
+                course: requests.len() as u64,
                 span: (0.0, problem.pull().abs()),
                 problem,
                 from: StartFrom::Straight,

@@ -4,6 +4,7 @@
 use crate::geometry::Vector;
 use crate::model::Problem;
 use crate::scene::Measurements;
+use crate::scene::limits::LEAST_MEASURED_POINTS;
 use crate::units::metres;
 
 mod fault;
@@ -35,8 +36,9 @@ pub struct Measured {
 const REACH: f64 = 1.1;
 
 impl Measured {
-    /// The fewest points that tell one shape from another.
-    pub const LEAST_POINTS: usize = 3;
+    /// The fewest points that are compared, those of a scene's check: two may
+    /// be a point on the way and the tip.
+    pub const LEAST_POINTS: usize = LEAST_MEASURED_POINTS;
 
     /// Measured points, checked against the robot that they belong to.
     ///

@@ -12,7 +12,7 @@ pub enum MeasuredFault {
     Empty,
     /// Too few points.
     #[error(
-        "there are only {0} measured points, which no shape can be told from; give at least {least}",
+        "there is only {0} of the at least {least} measured points that a comparison needs; add some",
         least = Measured::LEAST_POINTS
     )]
     TooFew(usize),
