@@ -1,10 +1,12 @@
 //! The certificate: eq. 5's optimality recomputed in the paper's coordinates.
 //!
-//! Everything is recomputed from node positions and contact multipliers alone,
-//! in the 4n coordinates (x_0^i, x_a^i) of the paper, by code that shares
-//! nothing with the solver but the obstacles' clearances: the energy from the
-//! angles between disks, the links' multipliers by a recursion of forces from
-//! tip to base, the second-order condition on the links' null space.
+//! Everything is recomputed from node positions and the contacts' forces alone
+//! (where each acts, its multiplier and its direction), in the 4n coordinates
+//! (x_0^i, x_a^i) of the paper, by code that shares nothing with the solver but
+//! the obstacles' clearances: the energy from the angles between disks, the
+//! links' multipliers by a recursion of forces from tip to base, whether a force
+//! acts where the robot touches and along a normal there, the second-order
+//! condition on the links' null space.
 //!
 //! With J = Σ β_i² and the constraints h = 0 (links) and g ⪰ 0 (obstacles),
 //!
@@ -18,11 +20,13 @@
 //! along the node's one free direction N and is the stationarity residual.
 
 mod contacts;
+#[cfg(test)]
+mod tests;
 
 use super::solution::Contact;
 use crate::geometry::{Edge, Vector, cross, perpendicular};
 use crate::math::greatest;
-use crate::model::{Element, Problem};
+use crate::model::{Candidate, Element, Problem};
 use nalgebra::{SMatrix, SVector};
 use serde::{Deserialize, Serialize};
 
@@ -50,9 +54,11 @@ pub struct Certificate {
     /// Greatest depth of a candidate inside an obstacle, relative to the
     /// backbone's length.
     pub penetration: f64,
-    /// Greatest |λ g|, relative to the greatest λ times the backbone's length.
+    /// Greatest |λ g|, relative to the greatest |λ| times the backbone's
+    /// length. It counts as a gap too where a force does not act along a
+    /// normal of its obstacle.
     pub complementarity: f64,
-    /// Greatest negative multiplier, relative to the greatest multiplier.
+    /// Greatest negative multiplier, relative to the greatest |λ|.
     pub dual: f64,
     /// Whether every segment keeps the assembly of the straight robot.
     pub orientation: bool,
@@ -135,12 +141,13 @@ impl Certifier {
             penetration: self.penetration(problem) / length,
             ..Certificate::default()
         };
-        let most = contacts.iter().map(|c| c.multiplier).fold(0.0, f64::max);
+        let sizes = contacts.iter().map(|contact| contact.multiplier.abs());
+        let most = sizes.fold(0.0, f64::max);
         for contact in contacts {
             let share = contact.multiplier / most.max(f64::MIN_POSITIVE);
             certificate.dual = greatest(certificate.dual, -share);
-            let gap = share * contact.clearance / length;
-            certificate.complementarity = greatest(certificate.complementarity, gap.abs());
+            let gap = share.abs() * self.gap(problem, contact) / length;
+            certificate.complementarity = greatest(certificate.complementarity, gap);
         }
         self.add_energy();
         self.add_contacts(problem, contacts);
@@ -184,35 +191,19 @@ impl Certifier {
 
     /// The greatest depth of a candidate inside an obstacle, at least 0.
     fn penetration(&self, problem: &Problem) -> f64 {
-        let offset = problem.robot().offset;
-        let point = |i: usize, lever: f64| self.backbone[i] + lever / offset * self.disk(i);
         let mut deepest = 0.0_f64;
         for candidate in problem.candidates() {
-            let i = candidate.node;
-            let (start, edge) = match candidate.element {
-                Element::Point { lever } => (point(i, lever), None),
-                Element::Link { lever } => {
-                    let mut edge = Edge::alone(point(i - 1, lever), point(i, lever));
-                    let below = (i > 1).then(|| point(i - 2, lever));
-                    let above = (i + 1 < self.backbone.len()).then(|| point(i + 1, lever));
-                    edge.joined = [below, above];
-                    (edge.start, Some(edge))
-                }
-                Element::Across { lever } => {
-                    let edge = Edge::alone(point(i, -lever), point(i, lever));
-                    (edge.start, Some(edge))
-                }
-            };
+            let edge = self.edge(problem, candidate);
             for obstacle in problem.obstacles() {
-                match edge {
-                    None => {
-                        if !obstacle.is_beyond(start, candidate.radius) {
-                            let distance = obstacle.clearance(start).distance;
+                match candidate.element {
+                    Element::Point { .. } => {
+                        if !obstacle.is_beyond(edge.start, candidate.radius) {
+                            let distance = obstacle.clearance(edge.start).distance;
                             deepest = greatest(deepest, candidate.radius - distance);
                         }
                     }
-                    Some(edge) => {
-                        if let Some(depth) = obstacle.crossing_depth(start, edge.end) {
+                    Element::Link { .. } | Element::Across { .. } => {
+                        if let Some(depth) = obstacle.crossing_depth(edge.start, edge.end) {
                             deepest = greatest(deepest, candidate.radius + depth);
                         }
                         obstacle.edge_clearances(&edge, |clearance| {
@@ -223,6 +214,25 @@ impl Certifier {
             }
         }
         deepest
+    }
+
+    /// A candidate's edge, joined to the links below and above it where it is a
+    /// link itself; of no length for a point.
+    fn edge(&self, problem: &Problem, candidate: &Candidate) -> Edge {
+        let offset = problem.robot().offset;
+        let point = |i: usize, lever: f64| self.backbone[i] + lever / offset * self.disk(i);
+        let i = candidate.node;
+        match candidate.element {
+            Element::Point { lever } => Edge::alone(point(i, lever), point(i, lever)),
+            Element::Link { lever } => {
+                let mut edge = Edge::alone(point(i - 1, lever), point(i, lever));
+                let below = (i > 1).then(|| point(i - 2, lever));
+                let above = (i + 1 < self.backbone.len()).then(|| point(i + 1, lever));
+                edge.joined = [below, above];
+                edge
+            }
+            Element::Across { lever } => Edge::alone(point(i, -lever), point(i, lever)),
+        }
     }
 
     fn disk(&self, i: usize) -> Vector {

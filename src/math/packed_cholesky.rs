@@ -122,6 +122,7 @@ mod tests {
     }
 
     fn check_solve(factor: &PackedCholesky, kept: &[usize], full: &DMatrix<f64>) {
+        assert_eq!(factor.size(), kept.len());
         let dense = full.select_rows(kept).select_columns(kept);
         let right = DVector::from_fn(kept.len(), |i, _| libm::sin(i as f64 + 1.0));
         let mut x = right.as_slice().to_vec();

@@ -230,97 +230,16 @@ impl<const NX: usize, const NU: usize> Covariance<NX, NU> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solver::{DynamicsCurvature, Hessian, RowCurvature, RowId, Source, Stage};
-
-    /// Only names types: the test fills its points by hand.
-    #[derive(Clone, Debug)]
-    struct Linear;
-
-    impl Chain<3, 2> for Linear {
-        type Node = ();
-        type Bend = ();
-
-        fn stages(&self) -> usize {
-            STAGES
-        }
-
-        fn base(&self) {}
-
-        fn row_scale(&self) -> f64 {
-            1.0
-        }
-
-        fn longest_step(&self) -> f64 {
-            1.0
-        }
-
-        fn stage(&self, k: usize, _: &(), _: &Control<2>) -> ((), Stage<3, 2>, ()) {
-            let stage = Stage {
-                by_state: SMatrix::identity() + SMatrix::from_fn(|i, j| some(k, i, j)),
-                by_control: SMatrix::from_fn(|i, j| some(k, i + 3, j)),
-                cost: 0.0,
-                cost_gradient: SVector::from_fn(|i, _| some(k, i, 7)),
-                cost_curvature: SMatrix::identity(),
-            };
-            ((), stage, ())
-        }
-
-        fn dynamics_curvature(&self, (): &(), _: &State<3>) -> DynamicsCurvature<3, 2> {
-            DynamicsCurvature {
-                by_state: SMatrix::zeros(),
-                mixed: SMatrix::zeros(),
-                by_control: SMatrix::zeros(),
-            }
-        }
-
-        /// Two rows at every third stage: one across its two nodes, one on its
-        /// node and its control.
-        fn rows(&self, _: &[()], _: &[Control<2>], rows: &mut Vec<Row<3, 2>>) {
-            for (id, stage) in (1..=STAGES).step_by(3).flat_map(|k| [k, k]).enumerate() {
-                let across = id % 2 == 0;
-                rows.push(Row {
-                    id: RowId(id as u64),
-                    stage,
-                    value: 0.0,
-                    before: across.then(|| SVector::from_fn(|i, _| some(stage, i, 11))),
-                    after: SVector::from_fn(|i, _| some(id, i, 12)),
-                    control: SVector::from_fn(|i, _| if across { 0.0 } else { some(id, i, 13) }),
-                });
-            }
-        }
-
-        fn row_curvature(&self, _: &Row<3, 2>, _: &[()]) -> RowCurvature<3> {
-            RowCurvature {
-                after: SMatrix::zeros(),
-                before: None,
-            }
-        }
-
-        fn passes_through(&self, _: &[()], _: &[()]) -> bool {
-            false
-        }
-    }
-
-    const STAGES: usize = 17;
-
-    /// A number between −0.5 and 0.5 that looks like no other.
-    fn some(a: usize, b: usize, c: usize) -> f64 {
-        0.5 * libm::sin(17.3 * a as f64 + 5.9 * b as f64 + 3.1 * c as f64)
-    }
+    use crate::solver::Source;
+    use crate::solver::linear::{Linear, blocks, point};
 
     /// S from columns, from products and from one solve a row agree.
     #[test]
     fn columns_products_and_solves_agree() {
-        let mut point: Point<Linear, 3, 2> = Point {
-            controls: vec![Control::zeros(); STAGES],
-            ..Point::default()
-        };
-        point.evaluate(&Linear);
+        let point = point();
         let rows = point.rows.len();
         let none = vec![0.0; rows];
-        let mut hessian = Hessian::default();
-        hessian.gradient(&point, &none);
-        hessian.assemble(&Linear, &point, &none);
+        let mut hessian = blocks(&Linear { bent: 0.0 }, &point, &none);
         hessian.stiffen(&point, &point.rows[4], 3.0);
         let mut riccati = Riccati::default();
         riccati.factor(&point.stages, &hessian, 0.5, 1e-9).unwrap();

@@ -26,7 +26,11 @@
 
 mod chain;
 mod covariance;
+#[cfg(test)]
+mod dense_tests;
 mod hessian;
+#[cfg(test)]
+mod linear;
 mod point;
 mod riccati;
 mod sqp;

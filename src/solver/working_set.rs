@@ -19,6 +19,9 @@ use super::riccati::{Riccati, Source};
 use super::sqp::held;
 use crate::math::PackedCholesky;
 
+#[cfg(test)]
+mod tests;
+
 /// A row depends on those in the set where its pivot falls below this share
 /// of its diagonal: 1e-11 is well above the rounding of S (condition · 1e-16)
 /// and well below any geometric angle between rows that matters.

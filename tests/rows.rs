@@ -1,0 +1,270 @@
+//! The rows of obstacles and limits, each by itself: its name, whether it is
+//! there, and its derivatives in the states of its nodes against differences.
+
+use sinew::geometry::Vector;
+use sinew::model::{Element, PlanarNode, Problem, RowKind};
+use sinew::scene::{Candidates, Scene, Shape};
+use sinew::solver::{Chain, Control, Row, RowId};
+
+/// A robot's body amid shapes so near that points, links and disks have rows.
+fn crowded() -> Problem {
+    let mut scene = Scene::default();
+    scene.robot.disk_radius_mm = Some(14.0);
+    scene.robot.disk_thickness_mm = 1.0;
+    scene.robot.cable_diameter_mm = 0.6;
+    scene.actuation.pull_mm = 4.0;
+    scene.contact.candidates = Candidates::Body;
+    let mut add = |shape: Shape| scene.obstacles.push(shape.into());
+    add(Shape::Disc {
+        center_mm: [27.0, 89.0],
+        radius_mm: 6.0,
+    });
+    add(Shape::Box {
+        center_mm: [-16.0, 62.0],
+        size_mm: [20.0, 8.0],
+        rotation_deg: 30.0,
+        corner_radius_mm: 1.0,
+    });
+    add(Shape::Capsule {
+        center_mm: [24.0, 124.0],
+        length_mm: 14.0,
+        radius_mm: 1.0,
+        rotation_deg: 10.0,
+    });
+    add(Shape::Disc {
+        center_mm: [16.0, 144.0],
+        radius_mm: 0.5,
+    });
+    add(Shape::Wall {
+        point_mm: [60.0, 150.0],
+        rotation_deg: 170.0,
+        corner_radius_mm: 0.0,
+    });
+    Problem::new(&scene).unwrap()
+}
+
+fn controls(problem: &Problem) -> Vec<Control<1>> {
+    let turn = |i: usize| match i % 9 {
+        3 => 1.3,
+        7 => -1.4,
+        _ => 0.15 * (1.7 * i as f64).sin(),
+    };
+    let turns = (0..problem.stages()).map(turn);
+    turns.map(Control::from_element).collect()
+}
+
+fn nodes(problem: &Problem, controls: &[Control<1>]) -> Vec<PlanarNode> {
+    let mut nodes = vec![problem.base()];
+    for (k, control) in controls.iter().enumerate() {
+        nodes.push(problem.stage(k + 1, &nodes[k], control).0);
+    }
+    nodes
+}
+
+/// Small turns, so that the robot stands among the obstacles.
+fn standing(problem: &Problem) -> Vec<PlanarNode> {
+    let turns = (0..problem.stages()).map(|i| 0.1 * (1.7 * i as f64).sin());
+    let controls: Vec<_> = turns.map(Control::from_element).collect();
+    nodes(problem, &controls)
+}
+
+fn rows(problem: &Problem, nodes: &[PlanarNode]) -> Vec<Row<3, 1>> {
+    let mut rows = Vec::new();
+    problem.rows(nodes, &problem.free_controls(), &mut rows);
+    rows
+}
+
+#[test]
+fn ids_name_one_row_each_in_order() {
+    let obstacles = 3;
+    let mut kinds = Vec::new();
+    for candidate in 0..4 {
+        for obstacle in 0..obstacles {
+            for vertex in [None, Some(0), Some(1), Some(253)] {
+                kinds.push(RowKind::Contact {
+                    candidate,
+                    obstacle,
+                    vertex,
+                });
+            }
+        }
+    }
+    for segment in 1..4 {
+        for sign in [-1, 1] {
+            kinds.push(RowKind::TurnLimit { segment, sign });
+        }
+    }
+    let ids: Vec<RowId> = kinds.iter().map(|kind| kind.id(obstacles)).collect();
+    assert!(ids.windows(2).all(|pair| pair[0] < pair[1]), "{ids:?}");
+    for (kind, id) in kinds.iter().zip(&ids) {
+        assert_eq!(RowKind::of(*id, obstacles), *kind);
+    }
+}
+
+/// Rows are there exactly for what is nearer than a twentieth of the length,
+/// with the clearance as their value, in the order of their ids.
+#[test]
+fn what_is_near_has_a_row_and_what_is_far_has_none() {
+    let problem = crowded();
+    let nodes = standing(&problem);
+    let margin = 0.05 * problem.length();
+    let count = problem.obstacles().len();
+    let mut expected = Vec::new();
+    let mut far = 0;
+    for (index, candidate) in problem.candidates().iter().enumerate() {
+        for (obstacle, shape) in problem.obstacles().iter().enumerate() {
+            let mut add = |vertex, distance: f64| {
+                let value = distance - candidate.radius;
+                let kind = RowKind::Contact {
+                    candidate: index,
+                    obstacle,
+                    vertex,
+                };
+                if value <= margin {
+                    expected.push((kind.id(count), value));
+                } else {
+                    far += 1;
+                }
+            };
+            if let Element::Point { .. } = candidate.element {
+                if let Some(clearance) = candidate.point_clearance(&nodes, shape) {
+                    add(None, clearance.distance);
+                }
+            } else {
+                let edge = candidate.edge(&nodes);
+                shape.edge_clearances(&edge, |c| add(Some(c.vertex), c.distance));
+            }
+        }
+    }
+    assert!(expected.len() > 15 && far > 100, "{} {far}", expected.len());
+    let rows = rows(&problem, &nodes);
+    let found: Vec<_> = rows.iter().map(|row| (row.id, row.value)).collect();
+    assert_eq!(found, expected);
+}
+
+/// A node with one of its state's components changed.
+fn nudged(node: &PlanarNode, axis: usize, by: f64) -> PlanarNode {
+    let mut node = *node;
+    if axis < 2 {
+        node.position[axis] += by;
+    } else {
+        node.angle += by;
+        node.disk = Vector::new(node.angle.cos(), node.angle.sin());
+    }
+    node
+}
+
+/// Steps of 1e-7 m and rad leave 1e-17/1e-7 of rounding in a gradient, in SI,
+/// and 1e-14 over the square of the least distance to a vertex.
+#[test]
+fn derivatives_in_the_nodes_states_against_differences() {
+    let problem = crowded();
+    let nodes = standing(&problem);
+    let h = 1e-7;
+    let mut seen = [0; 3];
+    for row in rows(&problem, &nodes) {
+        let RowKind::Contact { candidate, .. } = RowKind::of(row.id, problem.obstacles().len())
+        else {
+            continue;
+        };
+        let around = |node: usize, axis: usize, by: f64| {
+            let mut moved = nodes.clone();
+            moved[node] = nudged(&nodes[node], axis, by);
+            let found = rows(&problem, &moved);
+            found.into_iter().find(|other| other.id == row.id)
+        };
+        let curvature = problem.row_curvature(&row, &nodes);
+        let mut all = true;
+        for node in 0..nodes.len() {
+            for axis in 0..3 {
+                let (Some(after), Some(before)) = (around(node, axis, h), around(node, axis, -h))
+                else {
+                    all = false;
+                    continue;
+                };
+                let slope = (after.value - before.value) / (2.0 * h);
+                let exact = if node == row.stage {
+                    row.after[axis]
+                } else if node + 1 == row.stage {
+                    row.before.map_or(0.0, |before| before[axis])
+                } else {
+                    0.0
+                };
+                assert!(
+                    (slope - exact).abs() < 1e-8,
+                    "{row:?} {node} {axis}: {slope}"
+                );
+                if node != row.stage && node + 1 != row.stage {
+                    continue;
+                }
+                for other in 0..3 {
+                    let bend = (after.after[other] - before.after[other]) / (2.0 * h);
+                    let exact = match (node == row.stage, &curvature.before) {
+                        (true, _) => curvature.after[(other, axis)],
+                        (false, Some((_, across))) => across[(axis, other)],
+                        (false, None) => 0.0,
+                    };
+                    assert!(
+                        (bend - exact).abs() < 1e-4,
+                        "{row:?} {node} {axis}: {bend} {exact}"
+                    );
+                    if let (false, Some(own), Some(a), Some(b)) = (
+                        node == row.stage,
+                        curvature.before,
+                        after.before,
+                        before.before,
+                    ) {
+                        let bend = (a[other] - b[other]) / (2.0 * h);
+                        let exact = own.0[(other, axis)];
+                        assert!((bend - exact).abs() < 1e-4, "{row:?}: {bend} {exact}");
+                    }
+                }
+            }
+        }
+        seen[match problem.candidates()[candidate].element {
+            Element::Point { .. } => 0,
+            Element::Link { .. } => 1,
+            Element::Across { .. } => 2,
+        }] += usize::from(all);
+    }
+    assert!(seen.iter().all(|count| *count > 2), "{seen:?}");
+}
+
+/// Segments within half a radian of the limit, the step a row is trusted for.
+#[test]
+fn turns_near_their_limit_have_rows_that_fall_towards_it() {
+    let problem = crowded();
+    let controls = controls(&problem);
+    let nodes = nodes(&problem, &controls);
+    let at = |controls: &[Control<1>]| {
+        let mut rows = Vec::new();
+        problem.rows(&nodes, controls, &mut rows);
+        let count = problem.obstacles().len();
+        let limits = rows
+            .into_iter()
+            .filter_map(move |row| match RowKind::of(row.id, count) {
+                RowKind::TurnLimit { segment, sign } => Some((segment, sign, row)),
+                RowKind::Contact { .. } => None,
+            });
+        limits.collect::<Vec<_>>()
+    };
+    let found = at(&controls);
+    let which: Vec<_> = found
+        .iter()
+        .map(|(segment, sign, _)| (*segment, *sign))
+        .collect();
+    assert_eq!(which, [(4, 1), (8, -1), (13, 1), (17, -1)]);
+    let most = problem.segment().most_turn();
+    for (index, (segment, _, row)) in found.iter().enumerate() {
+        let turn = controls[segment - 1][0];
+        assert!((row.value - (most - turn.abs()) * problem.length()).abs() < 1e-15);
+        assert_eq!(
+            (row.stage, row.before, row.after),
+            (*segment, None, nalgebra::zero())
+        );
+        let mut moved = controls.clone();
+        moved[segment - 1][0] += 1e-6;
+        let slope = (at(&moved)[index].2.value - row.value) / 1e-6;
+        assert!((slope - row.control[0]).abs() < 1e-9);
+    }
+}
