@@ -283,7 +283,7 @@ fn two_points_of_a_scene_are_compared() {
         let problem = Problem::new(&scene).unwrap();
         let held = scene.measured.as_ref().unwrap();
         let measured = Measured::of_scene(held, &problem).unwrap();
-        let (_, solution, fit) = best_pull(&problem, &measured).unwrap();
+        let (_, solution, fit) = best_pull(&problem, &measured, |_| {}).unwrap();
         near(millimetres(solution.pull), 7.3, 1e-5);
         assert!(fit.rms < 1e-8, "{}", fit.rms);
     }
