@@ -65,7 +65,9 @@
 //!
 //! - Imports lead downward only.
 //! - Below the window and the command line there is no IO, no clock, no thread and no hash
-//!   order: the same scene gives the same answer, bit for bit, on every run.
+//!   order, and sines and their like come from the crate libm and not from the system: the
+//!   same scene gives the same answer, bit for bit, on every run, processor and page
+//!   (`tests/same_bits.rs`).
 //! - Only [`geometry`] knows parry; the rest sees outlines and clearances.
 //! - [`solver`] knows no lengths, angles or obstacles.
 //! - Lengths are in metres and angles in radians. A name that carries a unit

@@ -6,6 +6,9 @@
 //! -- --nocapture` tells how many end alike and what becomes of the others. Of
 //! 2000, 98.5 % end alike (84 % did before corners were given thought).
 
+mod seeded;
+
+use seeded::{Random, scenes};
 use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
 use sinew::model::{Line, Problem};
 use sinew::scene::{Candidates, Scene, Shape};
@@ -126,27 +129,10 @@ fn a_node_that_slips_over_a_box_lands_on_top() {
     check(&scene, [50.987, 162.798], 0.100679, &pressing);
 }
 
-/// Random numbers from a seed: SplitMix64 (Steele, Lea and Flood, 2014).
-struct Random(u64);
-
-impl Random {
-    fn between(&mut self, least: f64, most: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        least + (most - least) * ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn one_of(&mut self, count: u32) -> u32 {
-        self.between(0.0, f64::from(count)) as u32
-    }
-}
-
 /// A robot, thin or thick, beside a box, a triangle or a wedge with corners of
 /// a radius.
 fn random_scene(seed: u64, corner_radius_mm: f64) -> Scene {
-    let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
+    let mut random = Random::of(seed);
     let candidates = [Candidates::Nodes, Candidates::Body][random.one_of(2) as usize];
     let thick = random.one_of(2) == 0;
     let sizes = [(0.5, 2.0), (0.5, 3.0), (0.3, 1.0)].map(|(a, b)| random.between(a, b));
@@ -191,11 +177,9 @@ fn random_scene(seed: u64, corner_radius_mm: f64) -> Scene {
 
 #[test]
 fn sharp_corners_lead_where_rounded_ones_do() {
-    let asked = std::env::var("SINEW_SCENES").ok();
-    let scenes = asked.map_or(300, |count| count.parse().unwrap());
     let (mut alike, mut compared) = (0, 0);
     let mut others: BTreeMap<String, u32> = BTreeMap::new();
-    for seed in 0..scenes {
+    for seed in 0..scenes(300) {
         let [sharp, rounded] = [0.0, ROUNDED_MM].map(|radius| {
             let problem = Problem::new(&random_scene(seed, radius)).ok()?;
             Some(solve(&problem, Start::Straight, Settings::default()))

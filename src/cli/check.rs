@@ -36,8 +36,8 @@ pub(super) fn run(what: &Check) -> Result<Outcome, Failure> {
 }
 
 /// What to know of the scene's shape. It is solved for this: whether a link
-/// crosses an obstacle depends on the shape alone, and finding it takes less
-/// time than reading the file. How the solve ends is no fault of the scene.
+/// crosses an obstacle depends on the shape alone, and finding that takes
+/// milliseconds. How the solve ends is no fault of the scene.
 fn cautions(scene: &Scene, problem: &Problem) -> Vec<String> {
     let mut run = Run::new(problem, Start::Straight, Settings::default());
     let mut progress = Progress::new("solving", RESOLUTION);

@@ -85,7 +85,6 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
     let written = match what.format {
         Format::Text => text(&mut out, &found),
         Format::Json => object(&mut out, &found),
-
         Format::Csv => csv(&mut out, &found),
     };
     reader(written.and_then(|()| out.flush()))?;

@@ -117,9 +117,13 @@ pub(super) fn outcome(run: &Run, problem: &Problem) -> Outcome {
     } else {
         " and with obstacles not yet in their place"
     };
+    let state = if solution.certificate.holds() {
+        "the last good state"
+    } else {
+        "the last state, whose certificate does not hold"
+    };
     Outcome::NotConverged(format!(
-        "not converged at pull {goal} mm: {}; the last good state, at pull {reached} mm{not_there}, \
-         is printed",
+        "not converged at pull {goal} mm: {}; {state}, at pull {reached} mm{not_there}, is printed",
         solution.status.reason()
     ))
 }

@@ -42,7 +42,7 @@ pub(super) fn seed(problem: &Problem, obstacle: &Obstacle, nodes: &[PlanarNode])
     }
     let node = &nodes[deepest.1?];
     if matches!(obstacle.core(), Core::HalfPlane) {
-        return Some(behind_wall(obstacle, nodes));
+        return Some(behind_wall(problem, obstacle, nodes));
     }
     // To either side along the deepest disk: how far the overlapping parts
     // would have to go. The cable's side first, for a tie.
@@ -85,17 +85,18 @@ fn foot(obstacle: &Obstacle, problem: &Problem, nodes: &[PlanarNode], direction:
     place + (beside.min(-extent) - direction.dot(&place)) * direction
 }
 
-/// A wall starts beyond all nodes.
-fn behind_wall(wall: &Obstacle, nodes: &[PlanarNode]) -> Seed {
+/// A wall starts beyond all parts that may touch.
+fn behind_wall(problem: &Problem, wall: &Obstacle, nodes: &[PlanarNode]) -> Seed {
     let depth = nodes
         .iter()
         .map(|node| -wall.clearance(node.position).distance)
         .fold(0.0, f64::max);
     let normal = wall.clearance(nodes[0].position).normal;
-    // The candidates reach beyond the nodes by less than the robot is long.
-    let span = (nodes[nodes.len() - 1].position - nodes[0].position).norm();
+    let candidates = problem.candidates().iter();
+    let reach = candidates.map(|candidate| candidate.lever() + candidate.radius);
+    let beyond = reach.fold(0.0, f64::max) + 1e-3 * problem.length();
     Seed {
-        obstacle: wall.moved(-(depth + span) * normal),
+        obstacle: wall.moved(-(depth + beyond) * normal),
         direction: normal,
     }
 }

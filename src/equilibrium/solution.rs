@@ -48,7 +48,8 @@ pub struct Contact {
     /// The obstacle's vertex that the inside of an edge touches.
     pub vertex: Option<usize>,
     /// Where on its candidate's edge the contact is, from 0 at the lower node
-    /// (or far rim) to 1; 1 for a point.
+    /// (or far rim) to 1, and beyond by a little in the notch between two links;
+    /// 1 for a point.
     pub along: f64,
     /// The touching point of the obstacle's surface, in metres.
     pub point: Vector,

@@ -25,7 +25,10 @@ pub struct Edge {
 /// that has slid into such a notch rests on both edges, at the very ends of
 /// them; rounding, or the violation between two iterations, would have it face
 /// neither. There, and only there, is nothing added by looking beyond the end:
-/// what is clear of the next edge is clear of this one's line.
+/// what is clear of the next edge is clear of this one's line. It is also how
+/// near a core's vertex, over an edge's length, a point is left to the edges that
+/// end in it. A tenth is far more than an iteration violates a row by, and so
+/// little that a vertex that near faces no other edge.
 const NOTCH: f64 = 0.1;
 
 /// The sine of the angle by which an edge may lead into a face and still lie

@@ -290,6 +290,11 @@ impl Obstacle {
         from_parry(self.pose.inverse_transform_point(to_parry(point)))
     }
 
+    /// A point of the obstacle's own frame in the world.
+    pub(super) fn to_world(&self, point: Vector) -> Vector {
+        from_parry(self.pose.transform_point(to_parry(point)))
+    }
+
     /// Recomputes what is derived.
     fn refresh(&mut self) {
         self.vertices.clear();

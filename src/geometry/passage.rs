@@ -6,7 +6,7 @@
 
 use super::edge::sweeps_over;
 use super::obstacle::{Core, Obstacle};
-use super::{Vector, cross, perpendicular, to_parry};
+use super::{Vector, cross, to_parry};
 use parry2d_f64::math::Pose;
 use parry2d_f64::query;
 use parry2d_f64::shape::{Ball, ConvexPolygon, Segment};
@@ -18,12 +18,23 @@ pub type Motion = (Vector, Vector);
 /// a right angle, with room for the rounding of a box's corners.
 const TURNED: f64 = -1e-3;
 /// How far, as a cosine, the normal inside may be from that of the side by
-/// which a point came in: by 60°.
+/// which a point came in: by 60°, more than a fine polygon's sides differ by and
+/// less than a box's.
 const ENTERED: f64 = 0.5;
 /// The way round a corner, as a share of the outline, that a chord may cut off
-/// however far the normal turns. Rounding decides nothing at this length, and
-/// what is cut off is a tip of 1/80 of the outline's length on either side.
+/// however far the normal turns: a tip of 1/80 of the outline on either side,
+/// long enough that rounding decides nothing.
 const CORNER: f64 = 0.025;
+/// The same, as a share of the outline, for motions however short: behind a tip
+/// the two sides are near each other, and a point between them that is led now
+/// to one and now to the other would never get away from it.
+const TIP: f64 = 1e-3;
+/// How many times longer than anything has moved the way round a tip may be: a
+/// chord through an acute corner is shorter than the way by the corner's angle.
+const SLACK: f64 = 5.0;
+/// Heights below this share of an outline's size are on its surface: far above
+/// their rounding, far below a step.
+const ON_SURFACE: f64 = 1e-9;
 
 impl Obstacle {
     /// Whether a point, `radius` thick, that goes straight from one place to
@@ -43,44 +54,45 @@ impl Obstacle {
         let start = self.to_local(from);
         let end = later.to_local(to);
         let normal_before = self.turn_to_local(self.clearance(from).normal);
-        let normal_after = later.turn_to_local(later.clearance(to).normal);
+        let after = later.clearance(to);
+        let normal_after = later.turn_to_local(after.normal);
         let through = normal_before.dot(&normal_after) < TURNED
             && later.cuts(start, end, radius)
-            && !later.is_corner_between(start, end);
-        through || later.is_entered_elsewhere(start, end, radius, normal_after)
+            && !later.is_corner_between(start, end, radius, moved);
+        let inside = after.distance < radius - ON_SURFACE * later.reach;
+        through || inside && later.is_entered_elsewhere(start, to, radius, moved)
     }
 
-    /// Whether a point, `radius` thick, that goes straight between two places
-    /// of a polygon's frame ends inside the outline and nearer to another side
-    /// than the one by which it came: its clearance would lead it on through.
-    fn is_entered_elsewhere(&self, start: Vector, end: Vector, radius: f64, out: Vector) -> bool {
-        let Core::Vertices(vertices) = &self.core else {
-            return false;
-        };
+    /// Whether a point, `radius` thick, that comes straight from a place of the
+    /// frame and ends inside the outline, at `to` in the world, came in by
+    /// another side than the one it is nearest to: its clearance would lead it
+    /// on through.
+    fn is_entered_elsewhere(&self, start: Vector, to: Vector, radius: f64, moved: f64) -> bool {
+        let from = self.to_world(start);
+        let out = self.clearance(to).normal;
         let grown = self.radius + radius;
-        let mut entered = (0.0, None);
-        for (a, b) in vertices.iter().zip(vertices.iter().cycle().skip(1)) {
-            let normal = -perpendicular(b - a).normalize();
-            let height = |point: Vector| normal.dot(&(point - a)) - grown;
-            let (before, after) = (height(start), height(end));
-            if after >= 0.0 {
-                return false;
-            }
+        let on_surface = ON_SURFACE * self.reach;
+        let mut entered = (f64::NEG_INFINITY, None);
+        for (vertex, normal) in self.vertices.iter().zip(&self.normals) {
+            let height = |point: Vector| normal.dot(&(point - vertex)) - grown;
+            let (before, after) = (height(from), height(to));
             let share = before / (before - after);
-            if before > 0.0 && share >= entered.0 {
+            if before > -on_surface && after < before && share > entered.0 {
                 entered = (share, Some(normal));
             }
         }
         let (share, Some(by)) = entered else {
             return false;
         };
-        by.dot(&out) < ENTERED && !self.is_corner_between(start + share * (end - start), end)
+        let entry = self.to_local(from + share.max(0.0) * (to - from));
+        by.dot(&out) < ENTERED && !self.is_corner_between(entry, self.to_local(to), radius, moved)
     }
 
-    /// Whether the shorter way along a polygon's outline from the place nearest
-    /// to one point of its frame to that nearest to another is at most the
-    /// share [`CORNER`] of the outline.
-    fn is_corner_between(&self, a: Vector, b: Vector) -> bool {
+    /// Whether two places of a polygon's frame are on either side of one of its
+    /// corners: whether the way from one to the other, to the outline, along it
+    /// and away from it, is at most the share [`CORNER`] of the outline, and no
+    /// longer than a few times what anything has `moved`.
+    fn is_corner_between(&self, a: Vector, b: Vector, radius: f64, moved: f64) -> bool {
         let Core::Vertices(vertices) = &self.core else {
             return false;
         };
@@ -101,8 +113,10 @@ impl Obstacle {
             }
             round += length;
         }
-        let way = (nearest[0].1 - nearest[1].1).abs();
-        way.min(round - way) <= CORNER * round
+        let along = (nearest[0].1 - nearest[1].1).abs();
+        let away = nearest.map(|(distance, _)| (distance - self.radius - radius).max(0.0));
+        along.min(round - along) + away[0] + away[1]
+            <= (CORNER * round).min(SLACK * moved.max(TIP * round))
     }
 
     /// How far, as a cosine, the outward normal turns for a point, `radius`
@@ -228,6 +242,40 @@ mod tests {
         ]);
         let blade = Obstacle::new(sharp.unwrap(), 0.0, Vector::zeros(), 0.0);
         assert!(passes(&blade, [0.0, 0.05], [0.0, -0.05]));
+    }
+
+    #[test]
+    fn the_tip_of_a_corner_is_gone_round_and_nothing_else_of_it() {
+        let wedge = [[0.0, 0.0], [0.03, -0.003], [0.03, 0.003]].map(Vector::from);
+        let wedge = Obstacle::new(Core::polygon(&wedge).unwrap(), 0.0, Vector::zeros(), 0.0);
+        // From one side of the acute corner to the other, 0.4 mm and 4 mm behind it.
+        assert!(!passes(&wedge, [0.0004, -0.00004], [0.0004, 0.00004]));
+        assert!(passes(&wedge, [0.004, -0.0004], [0.004, 0.0004]));
+        // Nor from far away, nor by a motion that is shorter than the way round.
+        assert!(passes(&wedge, [0.0004, -0.05], [0.0004, 0.05]));
+        let motion = (Vector::new(0.0004, -0.00004), Vector::new(0.0004, 0.00004));
+        assert!(wedge.point_passes(&wedge, motion, 0.0, 0.0001));
+        let bar = Obstacle::new(Core::segment(0.1), 1e-4, Vector::zeros(), 0.0);
+        assert!(passes(&bar, [0.048, 0.05], [0.048, -0.05]));
+        // A box's right angle is gone round whatever rounding makes of it.
+        for turn in 0..90 {
+            let angle = f64::from(turn).to_radians();
+            let square = Obstacle::new(Core::rectangle(0.02, 0.02), 0.0, Vector::zeros(), angle);
+            let at = |x: f64, y: f64| square.to_world(Vector::new(x, y));
+            let motion = (at(0.01, 0.008), at(0.008, 0.01));
+            assert!(!square.point_passes(&square, motion, 0.0, 1.0), "{turn}");
+        }
+    }
+
+    #[test]
+    fn a_point_that_comes_in_is_led_out_by_the_same_side() {
+        let tall = Obstacle::new(Core::rectangle(0.01, 0.03), 0.0, Vector::zeros(), 0.0);
+        // From the top, down to where the right side is nearer.
+        assert!(passes(&tall, [0.003, 0.02], [0.003, 0.012]));
+        assert!(!passes(&tall, [0.003, 0.02], [0.003, 0.014]));
+        // Off the end of a capsule, clear of it.
+        let capsule = Obstacle::new(Core::segment(0.1), 1e-3, Vector::zeros(), 0.0);
+        assert!(!passes(&capsule, [0.0, 0.0011], [0.056, 0.0]));
     }
 
     #[test]

@@ -235,7 +235,7 @@ impl Problem {
         most_turn: impl Fn(usize, usize) -> f64,
     ) -> bool {
         let least = 1e-3 * self.robot.length;
-        let moved = 2.0 * self.greatest_shift(from, to);
+        let moved = self.greatest_motion(from, to);
         let mut pairs = self.obstacles.iter().zip(&later.obstacles).enumerate();
         pairs.any(|(index, (now, then))| {
             let moved = moved + now.change(then);
@@ -258,7 +258,7 @@ impl Problem {
     pub fn motion_passes(&self, later: &Self, from: &[PlanarNode], to: &[PlanarNode]) -> bool {
         // Rounding of the nodes' places.
         let tolerance = 1e-12 * self.robot.length;
-        let moved = 2.0 * self.greatest_shift(from, to);
+        let moved = self.greatest_motion(from, to);
         let mut pairs = self.obstacles.iter().zip(&later.obstacles);
         pairs.any(|(now, then)| {
             let moved = moved + now.change(then);
@@ -283,6 +283,12 @@ impl Problem {
                 }
             })
         })
+    }
+
+    /// What no point of a disk that may touch moves farther than between two
+    /// shapes, in metres: at most twice what some point does.
+    pub fn greatest_motion(&self, from: &[PlanarNode], to: &[PlanarNode]) -> f64 {
+        2.0 * self.greatest_shift(from, to)
     }
 
     /// Half of what no point of a disk moves farther than: its node's motion,
@@ -408,7 +414,8 @@ pub struct Place {
     pub point: Vector,
     /// The unit normal from the obstacle.
     pub normal: Vector,
-    /// Where on its edge, from 0 to 1; 1 for a point.
+    /// Where on its edge, from 0 to 1, and beyond by a little in the notch between
+    /// two links; 1 for a point.
     pub along: f64,
 }
 

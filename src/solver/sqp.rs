@@ -6,7 +6,8 @@
 //!
 //! The merit function is Σ L + μ Σ max(0, −g) with μ above every multiplier.
 //! A full step that raises it is first corrected to second order (curved
-//! obstacles would otherwise cut every step short), then halved.
+//! obstacles would otherwise cut every step short), then halved, straight or
+//! along the arc of that correction.
 //!
 //! Where the exact Hessian is not positive definite it is made so without
 //! losing fast convergence: first by ρ ∇g ∇gᵀ of the rows in the set, which
@@ -155,6 +156,10 @@ pub struct Sqp<C: Chain<NX, NU>, const NX: usize, const NU: usize> {
     penalty: usize,
     merit_penalty: f64,
     shift: f64,
+    /// The second-order correction of the present full step, where one was
+    /// tried.
+    correction: Vec<Control<NU>>,
+    has_correction: bool,
     /// Whether the last factor was of the unshifted Hessian.
     exact: bool,
     nudges: usize,
@@ -177,6 +182,8 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Default for Sqp<C, NX, 
             penalty: 0,
             merit_penalty: 0.0,
             shift: 0.0,
+            correction: Vec::new(),
+            has_correction: false,
             exact: false,
             nudges: 0,
             relaxations: 0,

@@ -99,6 +99,7 @@ fn scaled(shape: Shape, by: f64) -> Shape {
 }
 
 /// A scene with every length multiplied, angles kept.
+#[allow(dead_code, reason = "not every test that makes scenes scales them")]
 pub fn scaled_scene(scene: &Scene, by: f64) -> Scene {
     let mut scene = scene.clone();
     scene.robot.length_mm *= by;

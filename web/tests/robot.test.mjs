@@ -10,9 +10,6 @@ import { linkOf } from './link.mjs';
 import { Page, stage } from './page.mjs';
 
 const SCENES = fileURLToPath(new URL('../../assets/scenes/', import.meta.url));
-/** The most that a node may be away from where the command line has it, in
- * mm: the same program, but for the last digits of sines and cosines. */
-const NEAR_MM = 1e-9;
 
 let site;
 before(async () => {
@@ -106,7 +103,8 @@ test('every scene has the shape that the command line finds', async () => {
       assert.equal(state.status, native.status, name);
       assert.equal(state.backbone_mm.length, native.backbone_mm.length, name);
       const away = state.backbone_mm.map((node, index) => apart(node, native.backbone_mm[index]));
-      assert.ok(Math.max(...away) <= NEAR_MM, `${name}, ${solver}: ${Math.max(...away)} mm away`);
+      // The same program gives the same bits.
+      assert.equal(Math.max(...away), 0, `${name}, ${solver}`);
       const pressed = (contact) => [contact.obstacle, contact.node];
       assert.deepEqual(state.contacts.map(pressed), native.contacts.map(pressed), name);
     }

@@ -1,6 +1,6 @@
 //! What the window asks of the system it runs on: files, a place for what is
-//! not saved, and work that does not make it wait. The only way out of the window, so that the desktop, a
-//! browser and a test differ in nothing else.
+//! not saved, and work that does not make it wait. The only way out of the
+//! window, so that the desktop, a browser and a test differ in nothing else.
 //!
 //! Nothing here waits. What was asked for comes later from [`Platform::poll`],
 //! which the window asks once a frame; whoever delivers asks for that frame.

@@ -40,6 +40,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         let longest = longest(&self.set.du);
         let mut amount = (chain.longest_step() / longest).min(1.0);
         let mut corrected = amount < 1.0;
+        self.has_correction = false;
         let mut blocked = false;
         while amount * longest > 1e-14 || amount == 1.0 {
             self.place_trial(amount);
@@ -55,6 +56,15 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
                 corrected = true;
                 if self.correct(chain, enough) {
                     return self.take(amount * longest);
+                }
+            } else if self.has_correction {
+                self.follow_arc(chain, amount);
+                let merit = self.merit(&self.trial);
+                if merit.is_finite() && merit <= enough {
+                    if self.clear(chain) {
+                        return self.take(amount * longest);
+                    }
+                    blocked = true;
                 }
             }
             amount *= 0.5;
@@ -80,8 +90,11 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     }
 
     /// Tries the full step with its second-order correction, from the rows'
-    /// values after the full step; leaves the uncorrected step otherwise.
+    /// values after the full step; leaves the uncorrected step otherwise, and
+    /// keeps the correction for shorter ones.
     pub(super) fn correct(&mut self, chain: &C, enough: f64) -> bool {
+        self.correction.clear();
+        self.correction.extend_from_slice(&self.set.du);
         let after = &self.trial.rows;
         let before = &self.point.rows;
         self.set.correct(&mut self.riccati, &self.point, |row| {
@@ -96,8 +109,25 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         if merit.is_finite() && merit <= enough && self.clear(chain) {
             return true;
         }
+        for (by, corrected) in self.correction.iter_mut().zip(&self.set.du) {
+            *by = corrected - *by;
+        }
+        self.has_correction = true;
         self.set.uncorrect(&mut self.riccati, &self.point);
         false
+    }
+
+    /// Bends the trial, a part of the straight step, along an arc: the
+    /// correction belongs to the full step and grows with the square of the part
+    /// (Mayne and Polak, 1982). Along the straight step a robot that slides on a
+    /// strongly curved obstacle would be let go only as far as the obstacle is
+    /// flat.
+    fn follow_arc(&mut self, chain: &C, amount: f64) {
+        let square = amount * amount;
+        for (moved, by) in self.trial.controls.iter_mut().zip(&self.correction) {
+            *moved += square * by;
+        }
+        self.trial.evaluate(chain);
     }
 
     /// Makes the trial the point.
