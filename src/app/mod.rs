@@ -175,6 +175,10 @@ impl Sinew {
 }
 
 impl eframe::App for Sinew {
+    #[cfg_attr(
+        target_arch = "wasm32",
+        expect(unused_variables, reason = "a page has no place on a screen")
+    )]
     fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         self.before_frame(ctx);
         #[cfg(not(target_arch = "wasm32"))]

@@ -26,6 +26,7 @@ use table::{Table, text};
 
 pub use fault::SheetFault;
 pub use left_out::LeftOut;
+#[cfg(feature = "cli")]
 pub(crate) use table::records;
 
 /// What a file of measurements holds.

@@ -86,6 +86,7 @@ pub(super) fn contact_rows(
     let candidate = &problem.candidates()[index];
     let near = margin + candidate.radius;
     let (start, end) = candidate.ends(nodes);
+    let mut edge = None;
     let count = problem.obstacles().len();
     for (obstacle_index, obstacle) in problem.obstacles().iter().enumerate() {
         let id = |vertex| {
@@ -120,7 +121,8 @@ pub(super) fn contact_rows(
         if obstacle.is_beyond(start, near + (end - start).norm()) {
             continue;
         }
-        obstacle.edge_clearances(&candidate.edge(nodes), |clearance| {
+        let edge = edge.get_or_insert_with(|| candidate.edge(nodes));
+        obstacle.edge_clearances(edge, |clearance| {
             if clearance.distance <= near {
                 rows.push(edge_row(
                     candidate,

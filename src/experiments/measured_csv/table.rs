@@ -36,6 +36,7 @@ pub(super) fn text(bytes: &[u8]) -> Result<&str, SheetFault> {
 ///
 /// # Errors
 /// When the text is not CSV. No text is known that is not.
+#[cfg(feature = "cli")]
 pub(crate) fn records(text: &str) -> Result<Vec<Record>, SheetFault> {
     Ok(Table::read(text)?.records)
 }
