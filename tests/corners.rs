@@ -3,14 +3,17 @@
 //! robot from link to link, and neither goes through the other.
 //!
 //! Of a great many scenes: `SINEW_SCENES=2000 cargo test --release --test corners
-//! -- --nocapture` tells how many end alike and what becomes of the others. It
-//! still stops at the scene of seed 561, whose run is blocked in a state that is
-//! not certified; the 300 that are usually looked at hold.
+//! -- --nocapture` tells how many end alike and what becomes of the others: of
+//! 2000, 1985 (99.25 %) do. In six of the others an end of the robot, its last
+//! disk's rim, stands on a corner, vertex on vertex, over a whole range of pulls,
+//! and the sharp one slips at another of them; the rest are jams that end, and
+//! jumps that lead, to either side of something narrow.
 
 mod seeded;
 
 use seeded::{Random, scenes};
 use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
+use sinew::geometry::Vector;
 use sinew::model::{Line, Problem};
 use sinew::scene::{Candidates, Scene, Shape};
 use std::collections::BTreeMap;
@@ -130,6 +133,47 @@ fn a_node_that_slips_over_a_box_lands_on_top() {
     check(&scene, [50.987, 162.798], 0.100679, &pressing);
 }
 
+/// A corner has slid past the rim of the last disk, which may not take the
+/// wedge into its side. The values are those with a corner radius of 1e-4 mm.
+#[test]
+fn a_corner_beyond_the_end_of_a_disk_does_not_pierce_it() {
+    let wedge = triangle(
+        [[25.336, 170.91], [30.942, 168.923], [29.863, 167.052]],
+        0.0,
+    );
+    let pressing = [(Line::Disk, 18, 8.008e-3)];
+    let scene = robot(10.6, Candidates::Body, wedge);
+    check(&scene, [24.2634, 166.3080], 0.183523, &pressing);
+}
+
+/// Near its tip the needle is thinner than the least step of the pull moves the
+/// node on it. The robot slips off it and is free, an arc.
+#[test]
+fn a_node_slips_off_the_tip_of_a_needle() {
+    let needle = triangle([[8.88, 169.34], [8.506, 178.754], [9.722, 178.723]], 0.0);
+    let scene = robot(10.0, Candidates::Nodes, needle);
+    check(&scene, [98.6279, 136.6652], 0.086840, &[]);
+}
+
+/// A triangle with corners of a radius, in the place of one with sharp corners.
+/// A polygon's radius goes around it; a box's is inside.
+fn triangle(corners_mm: [[f64; 2]; 3], corner_radius_mm: f64) -> Shape {
+    let corners = corners_mm.map(Vector::from);
+    let sides = [1, 2, 0].map(|i| (corners[(i + 1) % 3] - corners[i]).norm());
+    let around: f64 = sides.iter().sum();
+    let [a, b, c] = corners;
+    let doubled = (b - a).perp(&(c - a)).abs();
+    // Moving its sides in scales a triangle about the middle of its incircle.
+    let middle = (sides[0] * a + sides[1] * b + sides[2] * c) / around;
+    let scale = 1.0 - corner_radius_mm * around / doubled;
+    let points = corners.map(|corner| middle + scale * (corner - middle));
+    Shape::Polygon {
+        points_mm: points.map(|point| [point.x, point.y]).to_vec(),
+        rotation_deg: 0.0,
+        corner_radius_mm,
+    }
+}
+
 /// A robot, thin or thick, beside a box, a triangle or a wedge with corners of
 /// a radius.
 fn random_scene(seed: u64, corner_radius_mm: f64) -> Scene {
@@ -160,11 +204,7 @@ fn random_scene(seed: u64, corner_radius_mm: f64) -> Scene {
                 let x = center_mm[0] + width * libm::cos(angle);
                 [x, center_mm[1] + width * libm::sin(angle)]
             };
-            Shape::Polygon {
-                points_mm: vec![center_mm, end(1.0), end(-1.0)],
-                rotation_deg: 0.0,
-                corner_radius_mm,
-            }
+            triangle([center_mm, end(1.0), end(-1.0)], corner_radius_mm)
         }
     };
     let mut scene = robot(pull_mm, candidates, shape);
@@ -209,5 +249,5 @@ fn sharp_corners_lead_where_rounded_ones_do() {
     for (words, count) in others {
         println!("{count:4}  {words}");
     }
-    assert!(share >= 0.98, "{share}");
+    assert!(share >= 0.99, "{share}");
 }

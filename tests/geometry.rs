@@ -180,18 +180,18 @@ fn edges_are_as_far_as_their_nearest_point() {
                 }
             }
             let least = along(0.5 * (low + high)).min(along(0.0)).min(along(1.0));
+            let depth = obstacle.crossing_depth(start, end);
             let mut rows = f64::INFINITY;
             obstacle.edge_clearances(&Edge::alone(start, end), |row| {
                 rows = rows.min(row.distance + obstacle.radius());
                 let vertex = vertices[row.vertex];
                 let foot = start + row.along * (end - start);
-                assert!((0.0..=1.0).contains(&row.along));
+                assert!(depth.is_some() || (0.0..=1.0).contains(&row.along));
                 assert!((row.normal.norm() - 1.0).abs() < 1e-12);
                 assert!(row.normal.dot(&(end - start)).abs() < 1e-15);
                 let distance = row.normal.dot(&(foot - vertex)) - obstacle.radius();
                 assert!((row.distance - distance).abs() < 1e-14);
             });
-            let depth = obstacle.crossing_depth(start, end);
             if least > 1e-6 {
                 let found = rows.min(along(0.0)).min(along(1.0));
                 assert!(
@@ -202,6 +202,8 @@ fn edges_are_as_far_as_their_nearest_point() {
                 insides += usize::from(rows < along(0.0).min(along(1.0)) - 1e-6);
             } else if least < -1e-6 {
                 crossings += 1;
+                // A row tells of it, or the point in which the edge ends.
+                assert!(rows.min(along(0.0)).min(along(1.0)) < 0.0);
                 // By the direction in which it overlaps least.
                 let overlaps = (0..720).map(|k| {
                     let (sine, cosine) = (0.5 * f64::from(k)).to_radians().sin_cos();
@@ -214,6 +216,30 @@ fn edges_are_as_far_as_their_nearest_point() {
         }
     }
     assert!(insides > 50 && crossings > 130, "{insides} {crossings}");
+}
+
+/// Both sides go through a corner that is beyond an end of the edge, or through
+/// a bar whose corners all are.
+#[test]
+fn an_edge_that_crosses_beside_every_corner_has_a_row() {
+    let check = |obstacle: &Obstacle, (start, end): (Vector, Vector), depth: f64| {
+        let mut rows = Vec::new();
+        obstacle.edge_clearances(&Edge::alone(start, end), |row| rows.push(row));
+        let mut beyond = rows.iter().filter(|row| !(0.0..=1.0).contains(&row.along));
+        let row = beyond.next().unwrap();
+        assert!((row.distance + depth).abs() < 1e-12, "{rows:?}");
+        assert!(beyond.next().is_none(), "{rows:?}");
+    };
+    let eighth = std::f64::consts::FRAC_PI_4;
+    let bar = Obstacle::new(Core::rectangle(0.1, 0.004), 0.0, v(0.0, 0.0), eighth);
+    let link = (v(0.01, 0.0), v(0.01, 0.02));
+    check(&bar, link, 0.052 * eighth.cos() - 0.01);
+    let wedge = Core::polygon(&[v(0.0, 0.0), v(0.03, -0.011), v(0.03, 0.011)]);
+    let wedge = Obstacle::new(wedge.unwrap(), 0.0, v(0.0, 0.0), 0.0);
+    let downward = v(3.0_f64.sqrt(), -1.0) * 0.01;
+    let start = v(0.002, 0.001);
+    let depth = 0.5 * start.x + 0.75_f64.sqrt() * start.y;
+    check(&wedge, (start, start + downward), depth);
 }
 
 /// Halfway between two places everything is halfway; a change bounds how far

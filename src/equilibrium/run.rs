@@ -61,6 +61,11 @@ pub enum Progress {
 /// Steps below this share of the backbone's length, of pull or of obstacle
 /// motion, are not halved any more: the branch ends there.
 const LEAST_STEP: f64 = 1e-5;
+/// Where the change of the pull alone would carry a part through an obstacle,
+/// before the solve that brings it back begins, a step is halved down to this
+/// share of the least one: a pull of 1e-5 of the length moves a slender robot's
+/// tip by thirty times as much, and a needle is thinner than that near its tip.
+const NARROWEST: f64 = 1.0 / 64.0;
 /// Change of a turn that is not noticed, in radians.
 const UNNOTICED: f64 = 2e-3;
 /// Iterations a step's solve may take before the step is halved: one that

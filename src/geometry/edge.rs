@@ -86,7 +86,9 @@ impl Obstacle {
     /// Calls it for none where an end is nearer: where the edge is beyond one
     /// of the core's own edges by more than it is beyond a vertex, unless the
     /// two cross and the end is itself clear of the core, whose clearance
-    /// would tell nothing of the crossing.
+    /// would tell nothing of the crossing. Of an edge that crosses the core the
+    /// vertex farthest towards it counts wherever it is: the edge may have gone
+    /// into a side while its end slipped round the corner.
     pub fn edge_clearances(&self, edge: &Edge, mut each: impl FnMut(EdgeClearance)) {
         let Some(side) = self.side(edge) else {
             return;
@@ -97,6 +99,8 @@ impl Obstacle {
         let notches = edge.notches(side.normal);
         let [below, above] = notches.map(|notch| if notch { NOTCH } else { 0.0 });
         let (least, most) = (-below, 1.0 + above);
+        let crosses =
+            || side.separation < 0.0 && self.crossing_depth(edge.start, edge.end).is_some();
         let count = self.vertices.len();
         let neighbours = [
             (side.facing + count - 1) % count,
@@ -106,7 +110,8 @@ impl Obstacle {
         for vertex in 0..count {
             if neighbours.contains(&vertex) {
                 let clearance = self.beside(edge, side.normal, vertex);
-                if clearance.along > least && clearance.along < most {
+                let faces = clearance.along > least && clearance.along < most;
+                if faces || vertex == side.facing && crosses() {
                     each(clearance);
                 }
             }

@@ -1,6 +1,6 @@
 //! One step along the branch: its solve, and whether to take it.
 
-use super::{EASY, LAST_ITERATIONS, Phase, Run, STEP_ITERATIONS};
+use super::{EASY, LAST_ITERATIONS, NARROWEST, Phase, Run, STEP_ITERATIONS};
 use crate::equilibrium::event::Occurrence;
 use crate::equilibrium::status::{EndReason, Status};
 use crate::solver::{Outcome, Progress, Settings};
@@ -41,7 +41,7 @@ impl Run {
         self.here.set_between(&self.from, &self.to, self.at);
         let (before, after) = (&self.anchor.nodes, &self.sqp.point().nodes);
         if before.len() == after.len() && self.here.motion_passes(&self.now, before, after) {
-            self.shorten(EndReason::Blocked);
+            self.shorten(EndReason::Blocked, NARROWEST * self.least_step);
             return;
         }
         self.predicted.clear();
@@ -66,7 +66,7 @@ impl Run {
             }
         }
         if !last_try {
-            self.shorten(EndReason::Fold);
+            self.shorten(EndReason::Fold, self.least_step);
             return;
         }
         let status = match outcome {
@@ -82,13 +82,15 @@ impl Run {
         self.end(status);
     }
 
-    pub(super) fn shorten(&mut self, reason: EndReason) {
+    /// Halves the step, down to `least`; the branch ends for this reason where
+    /// it is there already.
+    fn shorten(&mut self, reason: EndReason, least: f64) {
         self.phase = Phase::Between;
-        if self.step <= self.least_step {
+        if self.step <= least {
             let status = self.end_of_branch(reason, None);
             self.end(status);
         } else {
-            self.step = (0.5 * self.step).max(self.least_step);
+            self.step = (0.5 * self.step).max(least);
         }
     }
 
