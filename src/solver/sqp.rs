@@ -134,6 +134,13 @@ const ROUNDING: f64 = 1e-14;
 /// Rounding of the rows' part of the Lagrangian's gradient, relative to the
 /// largest multiplier times the rows' scale: about 50 units in the last place.
 const FORCE_ROUNDING: f64 = 1e-14;
+/// Two Newton steps in a row that change no control by more than this are at the
+/// minimum, whatever the rounding of large multipliers leaves of the gradient:
+/// a tenth of the distance that [`Settings::stationarity`] stands for.
+const SETTLED: f64 = 1e-11;
+/// How many times the usual rounding that may be. Short steps that a line search
+/// cut, far from the minimum, leave more.
+const LEFT_SETTLED: f64 = 100.0;
 /// How far a saddle is left, in controls.
 const NUDGE: f64 = 0.02;
 /// How often a run leaves saddles.
@@ -251,8 +258,9 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         });
         // λ ∇g summed along the chain is rounded like its largest terms.
         let largest = self.multipliers.iter().fold(0.0_f64, |a, b| a.max(*b)) * scale;
+        let allowed = self.settings.stationarity * cost_scale + FORCE_ROUNDING * largest;
         let stationary =
-            stationarity <= self.settings.stationarity * cost_scale + FORCE_ROUNDING * largest;
+            stationarity <= allowed || stationarity <= LEFT_SETTLED * allowed && self.has_settled();
         let feasible = violation <= self.settings.feasibility * scale;
         let complementary = self.complementary(scale);
         if stationary && complementary && (feasible || self.saturated(chain)) {
@@ -311,6 +319,16 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     fn stationarity(&mut self) -> f64 {
         let gradient = self.hessian.gradient(&self.point, &self.multipliers);
         gradient.iter().map(|g| g.amax()).fold(0.0, greatest)
+    }
+
+    /// Whether the last two steps, both of the exact Hessian, led nowhere.
+    fn has_settled(&self) -> bool {
+        let [.., first, second, _] = self.trace[..] else {
+            return false;
+        };
+        [first, second]
+            .iter()
+            .all(|it| it.shift == 0.0 && it.step <= SETTLED)
     }
 
     /// Whether every row with a multiplier is met as an equality. Rows that
