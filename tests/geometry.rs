@@ -192,7 +192,9 @@ fn edges_are_as_far_as_their_nearest_point() {
                 let distance = row.normal.dot(&(foot - vertex)) - obstacle.radius();
                 assert!((row.distance - distance).abs() < 1e-14);
             });
+            let told = obstacle.edge_distance(start, end) + obstacle.radius();
             if least > 1e-6 {
+                assert!((told - least).abs() < 1e-7, "{obstacle:?} {told} {least}");
                 let found = rows.min(along(0.0)).min(along(1.0));
                 assert!(
                     (found - least).abs() < 1e-7,
@@ -202,6 +204,7 @@ fn edges_are_as_far_as_their_nearest_point() {
                 insides += usize::from(rows < along(0.0).min(along(1.0)) - 1e-6);
             } else if least < -1e-6 {
                 crossings += 1;
+                assert_eq!(told, obstacle.radius() - depth.unwrap());
                 // A row tells of it, or the point in which the edge ends.
                 assert!(rows.min(along(0.0)).min(along(1.0)) < 0.0);
                 // By the direction in which it overlaps least.

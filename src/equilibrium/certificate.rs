@@ -3,7 +3,8 @@
 //! Everything is recomputed from node positions and the contacts' forces alone
 //! (where each acts, its multiplier and its direction), in the 4n coordinates
 //! (x_0^i, x_a^i) of the paper, by code that shares nothing with the solver but
-//! the obstacles' clearances: the energy from the angles between disks, the
+//! the obstacles' outlines: what is inside of them by the exact distance of every
+//! part, whatever rows the solver chose, the energy from the angles between disks, the
 //! links' multipliers by a recursion of forces from tip to base, whether a force
 //! acts where the robot touches and along a normal there, the second-order
 //! condition on the links' null space.
@@ -24,7 +25,7 @@ mod contacts;
 mod tests;
 
 use super::solution::Contact;
-use crate::geometry::{Edge, Vector, cross, perpendicular};
+use crate::geometry::{Vector, cross, perpendicular};
 use crate::math::greatest;
 use crate::model::{Candidate, Element, Problem};
 use nalgebra::{SMatrix, SVector};
@@ -193,45 +194,33 @@ impl Certifier {
     fn penetration(&self, problem: &Problem) -> f64 {
         let mut deepest = 0.0_f64;
         for candidate in problem.candidates() {
-            let edge = self.edge(problem, candidate);
+            let (start, end) = self.ends(problem, candidate);
             for obstacle in problem.obstacles() {
-                match candidate.element {
-                    Element::Point { .. } => {
-                        if !obstacle.is_beyond(edge.start, candidate.radius) {
-                            let distance = obstacle.clearance(edge.start).distance;
-                            deepest = greatest(deepest, candidate.radius - distance);
-                        }
-                    }
-                    Element::Link { .. } | Element::Across { .. } => {
-                        if let Some(depth) = obstacle.crossing_depth(edge.start, edge.end) {
-                            deepest = greatest(deepest, candidate.radius + depth);
-                        }
-                        obstacle.edge_clearances(&edge, |clearance| {
-                            deepest = greatest(deepest, candidate.radius - clearance.distance);
-                        });
-                    }
+                let near = candidate.radius + (end - start).norm();
+                if obstacle.is_beyond(start, near) {
+                    continue;
                 }
+                let distance = match candidate.element {
+                    Element::Point { .. } => obstacle.clearance(start).distance,
+                    Element::Link { .. } | Element::Across { .. } => {
+                        obstacle.edge_distance(start, end)
+                    }
+                };
+                deepest = greatest(deepest, candidate.radius - distance);
             }
         }
         deepest
     }
 
-    /// A candidate's edge, joined to the links below and above it where it is a
-    /// link itself; of no length for a point.
-    fn edge(&self, problem: &Problem, candidate: &Candidate) -> Edge {
+    /// The two ends of a candidate; the same for a point.
+    fn ends(&self, problem: &Problem, candidate: &Candidate) -> (Vector, Vector) {
         let offset = problem.robot().offset;
         let point = |i: usize, lever: f64| self.backbone[i] + lever / offset * self.disk(i);
         let i = candidate.node;
         match candidate.element {
-            Element::Point { lever } => Edge::alone(point(i, lever), point(i, lever)),
-            Element::Link { lever } => {
-                let mut edge = Edge::alone(point(i - 1, lever), point(i, lever));
-                let below = (i > 1).then(|| point(i - 2, lever));
-                let above = (i + 1 < self.backbone.len()).then(|| point(i + 1, lever));
-                edge.joined = [below, above];
-                edge
-            }
-            Element::Across { lever } => Edge::alone(point(i, -lever), point(i, lever)),
+            Element::Point { lever } => (point(i, lever), point(i, lever)),
+            Element::Link { lever } => (point(i - 1, lever), point(i, lever)),
+            Element::Across { lever } => (point(i, -lever), point(i, lever)),
         }
     }
 

@@ -170,6 +170,24 @@ impl Obstacle {
         })
     }
 
+    /// The signed distance of an edge from the surface, in metres: to the nearest
+    /// point of either; where they overlap, minus the shortest way out. Exact
+    /// wherever the edge is, by no choice of vertices or sides.
+    pub fn edge_distance(&self, start: Vector, end: Vector) -> f64 {
+        if let Some(depth) = self.crossing_depth(start, end) {
+            return -depth;
+        }
+        // Of two convex sets that do not overlap, one has a vertex nearest.
+        let along = end - start;
+        let from_edge = |vertex: &Vector| {
+            let share = along.dot(&(vertex - start)) / along.norm_squared();
+            (start + share.clamp(0.0, 1.0) * along - vertex).norm() - self.radius
+        };
+        let ends = [start, end].map(|end| self.clearance(end).distance);
+        let vertices = self.vertices.iter().map(from_edge);
+        vertices.fold(ends[0].min(ends[1]), f64::min)
+    }
+
     /// How deep an edge that crosses the core would have to be moved to be
     /// clear of the outline; `None` where it does not cross the core. An edge
     /// may cross with both ends clear and no vertex near it.

@@ -16,7 +16,7 @@ impl Certifier {
         let candidate = &problem.candidates()[contact.candidate];
         let obstacle = &problem.obstacles()[contact.obstacle];
         let normal = contact.normal;
-        let Edge { start, end, .. } = self.edge(problem, candidate);
+        let (start, end) = self.ends(problem, candidate);
         // A wall reaches as far as it likes but along its normal.
         let surface = obstacle.support(normal).unwrap_or(f64::INFINITY) + candidate.radius;
         let along_normal = normal.dot(&start).min(normal.dot(&end)) - surface;
