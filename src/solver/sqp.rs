@@ -123,6 +123,13 @@ const LEAST_PIVOT: f64 = 1e-9;
 const LEAST_SHIFT: f64 = 1e-7;
 /// The factor between shifts tried in turn.
 const MORE_SHIFT: f64 = 4.0;
+/// The shift that follows where no step, or only [`SHORT_STEPS`] short ones, could
+/// be taken: of the size of the cost's curvature.
+const FIRST_SHIFT: f64 = 1.0;
+/// The part of a step below which it counts as short …
+const SHORT: f64 = 1.0 / 64.0;
+/// … and how many of them in a row are too many.
+const SHORT_STEPS: usize = 3;
 /// The merit's weight falls back where it exceeds the multipliers this often …
 const OVERWEIGHT: f64 = 1e3;
 /// … but not more often than this in a run, which keeps it monotone in the end.
@@ -169,6 +176,8 @@ pub struct Sqp<C: Chain<NX, NU>, const NX: usize, const NU: usize> {
     has_correction: bool,
     /// Whether the last factor was of the unshifted Hessian.
     exact: bool,
+    /// Short steps in a row.
+    short: usize,
     nudges: usize,
     relaxations: usize,
     done: Option<Outcome>,
@@ -192,6 +201,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Default for Sqp<C, NX, 
             correction: Vec::new(),
             has_correction: false,
             exact: false,
+            short: 0,
             nudges: 0,
             relaxations: 0,
             done: None,
@@ -219,6 +229,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         self.merit_penalty = 0.0;
         self.shift = 0.0;
         self.exact = false;
+        self.short = 0;
         self.nudges = 0;
         self.relaxations = 0;
         self.done = None;

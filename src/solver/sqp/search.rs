@@ -1,7 +1,8 @@
 //! The line search: how far to go along the subproblem's step.
 
 use super::{
-    OVERWEIGHT, Outcome, Progress, RELAXATIONS, ROUNDING, SUFFICIENT, Sqp, Tunnelling, longest,
+    FIRST_SHIFT, OVERWEIGHT, Outcome, Progress, RELAXATIONS, ROUNDING, SHORT, SHORT_STEPS,
+    SUFFICIENT, Sqp, Tunnelling, longest,
 };
 use crate::solver::chain::Chain;
 use crate::solver::point::Point;
@@ -49,20 +50,20 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
             let enough = start + SUFFICIENT * amount * slope + slack;
             if merit.is_finite() && merit <= enough {
                 if self.clear(chain) {
-                    return self.take(amount * longest);
+                    return self.take(amount, longest);
                 }
                 blocked = true;
             } else if !corrected && self.trial.cost.is_finite() {
                 corrected = true;
                 if self.correct(chain, enough) {
-                    return self.take(amount * longest);
+                    return self.take(amount, longest);
                 }
             } else if self.has_correction {
                 self.follow_arc(chain, amount);
                 let merit = self.merit(&self.trial);
                 if merit.is_finite() && merit <= enough {
                     if self.clear(chain) {
-                        return self.take(amount * longest);
+                        return self.take(amount, longest);
                     }
                     blocked = true;
                 }
@@ -130,10 +131,18 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         self.trial.evaluate(chain);
     }
 
-    /// Makes the trial the point.
-    pub(super) fn take(&mut self, step: f64) -> Progress {
+    /// Makes the trial, a part of the subproblem's step, the point. Where only
+    /// small parts are accepted again and again the step runs into a row that
+    /// comes and goes, and each would be half of the one before; a shifted
+    /// Hessian turns it aside.
+    pub(super) fn take(&mut self, amount: f64, longest: f64) -> Progress {
         if let Some(last) = self.trace.last_mut() {
-            last.step = step;
+            last.step = amount * longest;
+            self.short = if amount < SHORT { self.short + 1 } else { 0 };
+            if self.short == SHORT_STEPS {
+                self.short = 0;
+                self.shift = self.shift.max(FIRST_SHIFT);
+            }
         }
         std::mem::swap(&mut self.multipliers, &mut self.set.multipliers);
         self.name_multipliers();
@@ -151,7 +160,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         if let Some(last) = self.trace.last()
             && last.shift < 1e6
         {
-            self.shift = (100.0 * last.shift).max(1.0);
+            self.shift = (100.0 * last.shift).max(FIRST_SHIFT);
             return Progress::Running;
         }
         self.end(if blocked {
