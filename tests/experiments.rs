@@ -3,7 +3,6 @@
 
 use sinew::experiments::{
     Check, ForceRow, ForceTable, Id, Item, PaperScene, TableFault, Verdict, pull_window, reproduce,
-    shown,
 };
 use sinew::model::Problem;
 use sinew::units::millimetres;
@@ -212,11 +211,4 @@ fn windows_of_pulls_are_found_to_their_ends() {
     // Open at both ends, and nowhere.
     assert_eq!(between(-1.0, 9.0).unwrap().ends_mm(), (0.0, 8.0));
     assert_eq!(between(9.0, 10.0), None);
-}
-
-#[test]
-fn numbers_are_shown_with_a_minus_sign_and_without_a_negative_zero() {
-    assert_eq!(shown(-0.001, 2), "0.00");
-    assert_eq!(shown(-1.5, 1), "−1.5");
-    assert_eq!(shown(1.25, 0), "1");
 }

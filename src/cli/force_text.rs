@@ -4,8 +4,7 @@ use std::io::{self, Write};
 
 use super::force::{ByVirtualWork, Found};
 use super::output::pull_shown;
-use crate::experiments::shown;
-use crate::math::{decimals, unsigned_zero};
+use crate::math::{decimals, typeset, unsigned_zero};
 use crate::scene::limits;
 use crate::units::metres;
 
@@ -42,7 +41,7 @@ fn virtual_work(out: &mut impl Write, known: &ByVirtualWork) -> io::Result<()> {
         writeln!(
             out,
             "  {name:<7}  {:>9} {unit}/mm, R² {:.5}, residual {:.3} {unit} RMS, {:.3} at most",
-            shown(line.per_mm, 4),
+            typeset(line.per_mm, 4),
             line.r_squared,
             line.rms_residual,
             line.max_residual
@@ -51,13 +50,13 @@ fn virtual_work(out: &mut impl Write, known: &ByVirtualWork) -> io::Result<()> {
     writeln!(
         out,
         "  mu       {:>9} ({})",
-        shown(known.friction, 4),
+        typeset(known.friction, 4),
         known.friction_from
     )?;
     writeln!(
         out,
         "  force    {:>9} of the load",
-        shown(known.force_per_load, 5)
+        typeset(known.force_per_load, 5)
     )?;
     for caveat in &known.caveats {
         writeln!(out, "  caution: {caveat}")?;
@@ -127,7 +126,7 @@ fn table(out: &mut impl Write, found: &Found) -> io::Result<()> {
         write!(out, "  {:>8}  {:>8}  {:>8}", "mm", "g", "g")?;
     }
     writeln!(out)?;
-    let force = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |g| shown(g, 2));
+    let force = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |g| typeset(g, 2));
     for row in &found.loads {
         write!(
             out,
@@ -138,7 +137,7 @@ fn table(out: &mut impl Write, found: &Found) -> io::Result<()> {
         )?;
         if let Some(loaded) = &row.multipliers {
             let parts = loaded.contacts.iter();
-            let parts = parts.map(|c| format!("{} g at {}", shown(c.force_g, 2), c.contact));
+            let parts = parts.map(|c| format!("{} g at {}", typeset(c.force_g, 2), c.contact));
             write!(
                 out,
                 "  {:>8}  {:>8}  {:>8}  {}",

@@ -1,7 +1,6 @@
 //! What an experiment leaves for a report: plain data with labels, no layout.
 
 use crate::equilibrium::Solution;
-use crate::math::decimals;
 use crate::model::Problem;
 
 /// A figure or table of the paper that can be reproduced.
@@ -320,9 +319,4 @@ pub struct Picture {
     pub solution: Solution,
     /// The obstacles' names.
     pub names: Vec<Option<String>>,
-}
-
-/// A number as it is shown, with a minus sign.
-pub fn shown(value: f64, count: usize) -> String {
-    decimals(value, count).replacen('-', "−", 1)
 }

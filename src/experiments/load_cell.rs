@@ -2,12 +2,13 @@
 //! it presses with by virtual work and by multipliers.
 
 use super::ExperimentError;
-use super::item::{Axis, Chart, Check, Id, Item, Mark, Series, shown};
+use super::item::{Axis, Chart, Check, Id, Item, Mark, Series};
 use super::scenes::{PaperScene, picture, solved_at};
 use super::table::{ForceRow, ForceTable};
 use super::tip::{WINDOW_MM, free_rates};
 use super::window::pull_window;
 use crate::forces::VirtualWork;
+use crate::math::typeset;
 use crate::units::{grams, metres, millimetres, newtons};
 
 /// The measured point that fixes μ: 250 g with the cell at 31 mm. The text does
@@ -91,7 +92,7 @@ fn about_friction(estimator: &VirtualWork, table: &ForceTable) -> Result<String,
     let mut elsewhere = Vec::new();
     for window_mm in [8.0, 14.0, 20.0] {
         let other = calibrated_on(table, CALIBRATION_G, CALIBRATION_MM, window_mm)?;
-        let friction = shown(other.friction(), 3);
+        let friction = typeset(other.friction(), 3);
         elsewhere.push(format!("{friction} (0 to {window_mm} mm)"));
     }
     Ok(format!(
@@ -99,7 +100,7 @@ fn about_friction(estimator: &VirtualWork, table: &ForceTable) -> Result<String,
          P is the force on the cell and the tip slides down. At such a size it is a calibration \
          factor and not Coulomb friction, and once it is found from a measured force, f′_x, f′_y \
          and f′_θ drop out: every row is that point's ratio times the load.",
-        shown(estimator.friction(), 3),
+        typeset(estimator.friction(), 3),
         elsewhere.join(", ")
     ))
 }

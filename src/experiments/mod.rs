@@ -24,7 +24,7 @@ mod tip;
 mod window;
 
 pub use best_pull::{ShapeError, best_pull};
-pub use item::{Axis, Chart, Check, Id, Item, Mark, Picture, Series, Verdict, shown};
+pub use item::{Axis, Chart, Check, Id, Item, Mark, Picture, Series, Verdict};
 pub use measured::{Measured, MeasuredFault, MeasuredPoint};
 pub use scenes::PaperScene;
 pub use shape_fit::{ShapeFit, compare};

@@ -6,6 +6,6 @@ mod greatest;
 mod packed_cholesky;
 
 pub use asinc::asinc;
-pub use digits::{decimals, shortest, unsigned_zero};
+pub use digits::{decimals, shortest, typeset, unsigned_zero, with_minus};
 pub use greatest::greatest;
 pub use packed_cholesky::PackedCholesky;

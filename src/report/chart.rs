@@ -4,7 +4,7 @@
 
 use super::characters::printable;
 use crate::experiments::{Axis, Chart, Mark, Series};
-use crate::math::unsigned_zero;
+use crate::math::{unsigned_zero, with_minus};
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
@@ -186,7 +186,7 @@ fn axis_name(axis: &Axis) -> String {
 /// A number at a grid line: as short as it is exact, with a minus sign.
 fn tick(value: f64) -> String {
     let rounded = unsigned_zero((value * 1e6).round() / 1e6);
-    rounded.to_string().replacen('-', "−", 1)
+    with_minus(&rounded.to_string())
 }
 
 /// The hue of a series: a dashed line has that of the line before it, whose

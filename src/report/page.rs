@@ -2,7 +2,8 @@
 //! figures are inside. It reads on a phone, by day and night, and in print.
 
 use super::chart::{self, ChartError, escaped};
-use crate::experiments::{Check, Item, Verdict, shown};
+use crate::experiments::{Check, Item, Verdict};
+use crate::math::typeset;
 use std::fmt::Write;
 
 /// A picture for an item: its title and the page's element that shows it.
@@ -43,13 +44,13 @@ pub fn image(svg: &str, title: &str) -> String {
 /// A check's numbers as they are shown: the paper's, ours and the difference;
 /// empty where there is none.
 pub fn cells(check: &Check) -> [String; 3] {
-    let number = |value: Option<f64>| value.map(|v| shown(v, check.decimals));
+    let number = |value: Option<f64>| value.map(|v| typeset(v, check.decimals));
     let paper = number(check.paper).map(|value| match check.relation {
         "" => value,
         relation => format!("{relation} {value}"),
     });
     let difference = check.difference().map(|value| {
-        let text = shown(value, check.decimals);
+        let text = typeset(value, check.decimals);
         if value > 0.0 && text.bytes().any(|b| b.is_ascii_digit() && b != b'0') {
             format!("+{text}")
         } else {

@@ -1,10 +1,7 @@
 //! Numbers as people read them: rounded to what means something, with real
 //! minus signs, apart from their unit. It converts no units.
 
-use crate::math;
-
-/// The minus sign, U+2212.
-const MINUS: char = '\u{2212}';
+use crate::math::{self, with_minus};
 
 /// A number and its unit, as text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,7 +16,7 @@ impl Quantity {
     /// A value with so many decimals.
     pub fn fixed(value: f64, decimals: usize, unit: &'static str) -> Self {
         Self {
-            digits: with_minus(&math::decimals(value, decimals)),
+            digits: math::typeset(value, decimals),
             unit,
         }
     }
@@ -51,14 +48,6 @@ impl Quantity {
     }
 }
 
-/// The digits with U+2212 for a hyphen before them.
-pub(crate) fn with_minus(digits: &str) -> String {
-    match digits.strip_prefix('-') {
-        Some(rest) => format!("{MINUS}{rest}"),
-        None => digits.to_owned(),
-    }
-}
-
 fn significant(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return with_minus(&math::unsigned_zero(value).to_string());
@@ -69,7 +58,7 @@ fn significant(value: f64) -> String {
     let exponent: i32 = exponent.parse().unwrap_or(0);
     if (-3..6).contains(&exponent) {
         let decimals = (2 - exponent).max(0) as usize;
-        return with_minus(&math::decimals(value, decimals));
+        return math::typeset(value, decimals);
     }
     format!("{}×10{}", with_minus(mantissa), superscript(exponent))
 }
