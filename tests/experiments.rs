@@ -6,6 +6,7 @@ use sinew::experiments::{
 };
 use sinew::model::Problem;
 use sinew::units::millimetres;
+use sinew::view::charts;
 
 /// Table 1, as in its text.
 fn table() -> ForceTable {
@@ -111,7 +112,7 @@ fn both_posts_press_where_the_paper_says() {
 #[test]
 fn multipliers_are_zero_off_the_contacts() {
     let item = item(Id::Fig5);
-    for (series, node) in item.charts[0].series.iter().zip([11.0, 17.0]) {
+    for (series, node) in charts(&item)[0].series.iter().zip([11.0, 17.0]) {
         for (x, y) in &series.points {
             assert_eq!(*y > 0.0, *x == node, "{series:?}");
         }

@@ -12,15 +12,13 @@ use super::progress::Progress;
 use super::{Failure, Outcome, tables};
 use crate::equilibrium::{Settings, Solution, Start, Status, solve};
 use crate::experiments::measured_csv::LeftOut;
-use crate::experiments::{
-    Axis, Chart, Mark, Measured, Series, ShapeError, ShapeFit, best_pull, compare,
-};
-use crate::geometry::Vector;
+use crate::experiments::{Measured, ShapeError, ShapeFit, best_pull, compare};
 use crate::math::{decimals, shortest};
 use crate::model::Problem;
 use crate::report::chart;
 use crate::scene::Scene;
 use crate::units::millimetres;
+use crate::view::compared;
 
 /// Steps of the progress bar.
 const RESOLUTION: u32 = 1000;
@@ -75,7 +73,7 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
         },
     };
     if let Some(path) = &what.out {
-        let picture = chart::svg_file(&both(&problem, &solution, &measured, &fit))
+        let picture = chart::svg_file(&compared(&problem, &solution, &measured, &fit))
             .map_err(|error| Failure::Making(error.into()))?;
         fs::write(path, picture).map_err(|error| super::draw::named(path, &error))?;
     }
@@ -243,40 +241,4 @@ fn csv(out: &mut impl Write, found: &Found) -> io::Result<()> {
         record(&mut table, std::iter::once(row).chain(numbers))?;
     }
     table.flush()
-}
-
-/// Both shapes, to scale.
-fn both(problem: &Problem, solution: &Solution, measured: &Measured, fit: &ShapeFit) -> Chart {
-    let point = |p: Vector| (millimetres(p.x), millimetres(p.y));
-    let axis = |name| Axis {
-        to_scale: true,
-        ..Axis::new(name, "mm")
-    };
-    Chart {
-        title: "Measured and computed backbone".to_owned(),
-        word: "both",
-        x: axis("x"),
-        y: axis("y"),
-        series: vec![
-            Series::new(
-                format!("computed, pull {} mm", decimals(millimetres(fit.pull), 2)),
-                Mark::Line,
-                solution.backbone().map(point).collect(),
-            ),
-            Series::new(
-                "cable",
-                Mark::Dashed,
-                solution.cable(problem.robot().offset).map(point).collect(),
-            ),
-            Series::new(
-                "measured",
-                Mark::Dots,
-                measured
-                    .points()
-                    .iter()
-                    .map(|p| point(p.position))
-                    .collect(),
-            ),
-        ],
-    }
 }

@@ -11,10 +11,10 @@ use super::draw::named;
 use super::input::BadInput;
 use super::output::{object, paragraph, printable, reader};
 use super::{Failure, Outcome, tables};
-use crate::experiments::{self, Axis, Chart, Check, Id, Item, Picture};
+use crate::experiments::{self, Check, Id, Item, Picture};
 use crate::math::shortest;
 use crate::report::{chart, page, svg};
-use crate::view::{Notes, draw};
+use crate::view::{Axis, Chart, Notes, charts, draw};
 
 pub(super) fn run(what: &Reproduce) -> Result<Outcome, Failure> {
     let ids = wanted(&what.items)?;
@@ -69,7 +69,7 @@ fn write_report(folder: &Path, items: &[Item]) -> Result<(), Failure> {
         Ok(fs::write(path, contents).map_err(|error| named(path, &error))?)
     };
     for item in items {
-        for one in &item.charts {
+        for one in &charts(item) {
             let name = format!("{}-{}", item.id.word(), one.word);
             write(&data.join(format!("{name}.csv")), &curves(one)?)?;
             let picture = chart::svg_file(one).map_err(drawn)?;
@@ -215,7 +215,7 @@ struct ItemJson<'a> {
     title: &'static str,
     about: &'a str,
     checks: Vec<CheckJson<'a>>,
-    charts: Vec<ChartJson<'a>>,
+    charts: Vec<ChartJson>,
     notes: &'a [String],
     missing: &'a [String],
 }
@@ -236,17 +236,17 @@ struct CheckJson<'a> {
 }
 
 #[derive(Serialize)]
-struct ChartJson<'a> {
-    title: &'a str,
+struct ChartJson {
+    title: String,
     x: String,
     y: String,
-    series: Vec<SeriesJson<'a>>,
+    series: Vec<SeriesJson>,
 }
 
 #[derive(Serialize)]
-struct SeriesJson<'a> {
-    name: &'a str,
-    points: &'a [(f64, f64)],
+struct SeriesJson {
+    name: String,
+    points: Vec<(f64, f64)>,
 }
 
 fn json(out: &mut impl Write, items: &[Item]) -> io::Result<()> {
@@ -269,19 +269,18 @@ fn json(out: &mut impl Write, items: &[Item]) -> io::Result<()> {
                 verdict: check.verdict.word(),
             })
             .collect(),
-        charts: item
-            .charts
-            .iter()
+        charts: charts(item)
+            .into_iter()
             .map(|chart| ChartJson {
-                title: &chart.title,
+                title: chart.title,
                 x: axis(&chart.x),
                 y: axis(&chart.y),
                 series: chart
                     .series
-                    .iter()
+                    .into_iter()
                     .map(|series| SeriesJson {
-                        name: &series.name,
-                        points: &series.points,
+                        name: series.name,
+                        points: series.points,
                     })
                     .collect(),
             })

@@ -1,5 +1,6 @@
 //! What an experiment leaves for a report: plain data with labels, no layout.
 
+use super::data::Data;
 use crate::equilibrium::Solution;
 use crate::model::Problem;
 
@@ -103,8 +104,8 @@ pub struct Item {
     pub about: String,
     /// Numbers compared.
     pub checks: Vec<Check>,
-    /// Curves.
-    pub charts: Vec<Chart>,
+    /// What it shows, as numbers.
+    pub data: Vec<Data>,
     /// Shapes.
     pub pictures: Vec<Picture>,
     /// What to know when reading it, a paragraph each.
@@ -227,81 +228,6 @@ impl Check {
             } else {
                 Verdict::Differs
             },
-        }
-    }
-}
-
-/// Curves over one abscissa.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Chart {
-    /// What it shows.
-    pub title: String,
-    /// A word for files, unique in its item.
-    pub word: &'static str,
-    /// The abscissa.
-    pub x: Axis,
-    /// The ordinate.
-    pub y: Axis,
-    /// The curves.
-    pub series: Vec<Series>,
-}
-
-/// What an axis counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Axis {
-    /// Its name.
-    pub name: &'static str,
-    /// Its unit; empty for a pure number.
-    pub unit: &'static str,
-    /// Whether it has to show zero.
-    pub from_zero: bool,
-    /// Whether both axes have one scale, as in a map.
-    pub to_scale: bool,
-}
-
-impl Axis {
-    /// An axis that shows zero.
-    pub const fn new(name: &'static str, unit: &'static str) -> Self {
-        Self {
-            name,
-            unit,
-            from_zero: true,
-            to_scale: false,
-        }
-    }
-}
-
-/// A curve of a chart.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Series {
-    /// Its name.
-    pub name: String,
-    /// How it is drawn.
-    pub mark: Mark,
-    /// Its points, (x, y).
-    pub points: Vec<(f64, f64)>,
-}
-
-/// How a curve is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mark {
-    /// A line.
-    Line,
-    /// A dashed line: a model of what another curve shows.
-    Dashed,
-    /// Points by themselves: what was measured.
-    Dots,
-    /// A stem from zero to each point.
-    Stems,
-}
-
-impl Series {
-    /// A curve.
-    pub fn new(name: impl Into<String>, mark: Mark, points: Vec<(f64, f64)>) -> Self {
-        Self {
-            name: name.into(),
-            mark,
-            points,
         }
     }
 }

@@ -2,7 +2,8 @@
 //! it presses with by virtual work and by multipliers.
 
 use super::ExperimentError;
-use super::item::{Axis, Chart, Check, Id, Item, Mark, Series};
+use super::data::{CalibrationErrors, CellForces, Data, DiskForces, Forces};
+use super::item::{Check, Id, Item};
 use super::scenes::{PaperScene, picture, solved_at};
 use super::table::{ForceRow, ForceTable};
 use super::tip::{WINDOW_MM, free_rates};
@@ -56,37 +57,28 @@ fn force_g(estimator: &VirtualWork, load_g: f64) -> f64 {
 }
 
 /// Measured forces over loads at one distance.
-fn measured(table: &ForceTable, column: usize) -> Series {
-    let points = table.rows().iter();
-    Series::new(
-        format!("measured, d = {} mm", table.distances_mm()[column]),
-        Mark::Dots,
-        points
-            .map(|row| (row.load_g, row.measured_g[column]))
-            .collect(),
-    )
+fn measured(table: &ForceTable, column: usize) -> CellForces {
+    let distance_mm = table.distances_mm()[column];
+    by_load(table, Forces::Measured { distance_mm }, |row| {
+        row.measured_g[column]
+    })
 }
 
-fn theories(table: &ForceTable, estimator: &VirtualWork) -> [Series; 2] {
-    let of = |theory: &dyn Fn(&ForceRow) -> f64| -> Vec<(f64, f64)> {
-        table
-            .rows()
-            .iter()
-            .map(|row| (row.load_g, theory(row)))
-            .collect()
-    };
+fn theories(table: &ForceTable, estimator: &VirtualWork) -> [CellForces; 2] {
+    let ours = |row: &ForceRow| force_g(estimator, row.load_g);
     [
-        Series::new(
-            "virtual work, ours",
-            Mark::Line,
-            of(&|row| force_g(estimator, row.load_g)),
-        ),
-        Series::new("virtual work, paper", Mark::Dashed, of(&|row| row.theory_g)),
+        by_load(table, Forces::Ours, ours),
+        by_load(table, Forces::Papers, |row| row.theory_g),
     ]
 }
 
-const LOAD: Axis = Axis::new("load on the cable", "g");
-const FORCE: Axis = Axis::new("force on the cell", "g");
+fn by_load(table: &ForceTable, of: Forces, force_g: impl Fn(&ForceRow) -> f64) -> CellForces {
+    let rows = table.rows().iter();
+    CellForces {
+        of,
+        by_load_g: rows.map(|row| (row.load_g, force_g(row))).collect(),
+    }
+}
 
 fn about_friction(estimator: &VirtualWork, table: &ForceTable) -> Result<String, ExperimentError> {
     let mut elsewhere = Vec::new();
@@ -159,7 +151,7 @@ pub(super) fn figure_9() -> Result<Item, ExperimentError> {
                 after it has begun to press."
             .to_owned(),
         checks,
-        charts: Vec::new(),
+        data: Vec::new(),
         pictures: vec![picture("robot", &scene, there, pressed)],
         notes: vec![
             format!(
@@ -201,9 +193,9 @@ fn multiplier_ratio(distance_mm: f64) -> Result<(f64, f64), ExperimentError> {
 
 pub(super) fn figure_10a(table: &ForceTable) -> Result<Item, ExperimentError> {
     let estimator = calibrated(table)?;
-    let mut series = theories(table, &estimator).to_vec();
+    let mut forces = theories(table, &estimator).to_vec();
     // Fig. 8's 26 mm is nearest to the table's first distance.
-    series.push(measured(table, 0));
+    forces.push(measured(table, 0));
     let mut checks: Vec<Check> = theory_checks(table, &estimator);
     let errors = table.errors(|row| force_g(&estimator, row.load_g));
     let first = |errors: &super::Errors| errors.by_distance_g[0];
@@ -237,13 +229,7 @@ pub(super) fn figure_10a(table: &ForceTable) -> Result<Item, ExperimentError> {
             "Eq. 11 with μ from one measured point, {CALIBRATION_G} g at d = {CALIBRATION_MM} mm."
         ),
         checks,
-        charts: vec![Chart {
-            title: "Force on the load cell".to_owned(),
-            word: "force",
-            x: LOAD,
-            y: FORCE,
-            series,
-        }],
+        data: vec![Data::CellForces(forces)],
         pictures: Vec::new(),
         notes: vec![
             about_friction(&estimator, table)?,
@@ -265,24 +251,27 @@ pub(super) fn figure_10b(table: &ForceTable) -> Result<Item, ExperimentError> {
     let (_, problem) = PaperScene::Free.problem()?;
     let robot = *problem.robot();
     let bay = robot.segments_per_bay;
-    let mut series = Vec::new();
+    let mut disks = Vec::new();
     let mut checks = Vec::new();
     for from_top in [1_usize, 2, 3, 4] {
         let node = robot.segments - (from_top - 1) * bay;
         let rates = free_rates(node, WINDOW_MM)?;
         let estimator = VirtualWork::new(robot.offset, rates, friction)?;
-        let name = format!("disk {from_top} from the top");
         let rows = table.rows().iter();
-        let points = rows.map(|row| (row.load_g, force_g(&estimator, row.load_g)));
+        let by_load_g = rows.map(|row| (row.load_g, force_g(&estimator, row.load_g)));
+        let disk = DiskForces {
+            from_top,
+            by_load_g: by_load_g.collect(),
+        };
         checks.push(
             Check::ours(
-                format!("Force over load at {name} (node {})", node + 1),
+                format!("Force over load at {} (node {})", disk.name(), node + 1),
                 "",
                 estimator.force_per_load(),
             )
             .decimals(4),
         );
-        series.push(Series::new(name, Mark::Line, points.collect()));
+        disks.push(disk);
     }
     let caveats = VirtualWork::new(
         robot.offset,
@@ -301,13 +290,7 @@ pub(super) fn figure_10b(table: &ForceTable) -> Result<Item, ExperimentError> {
         title: "Force over load at other contact points",
         about: "Virtual work at the nodes of the four upper disks.".to_owned(),
         checks,
-        charts: vec![Chart {
-            title: "Force by contact point".to_owned(),
-            word: "force",
-            x: LOAD,
-            y: FORCE,
-            series,
-        }],
+        data: vec![Data::DiskForces(disks)],
         pictures: Vec::new(),
         notes,
         missing: vec![
@@ -386,8 +369,8 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
         );
         checks.push(Check::ours(format!("… after 3 mm more of pull, {at}"), "", later).decimals(4));
     }
-    let mut series = theories(table, &estimator).to_vec();
-    series.extend((0..distances.len()).map(|column| measured(table, column)));
+    let mut forces = theories(table, &estimator).to_vec();
+    forces.extend((0..distances.len()).map(|column| measured(table, column)));
     Ok(Item {
         id: Id::Table1,
         title: "Force over load at four distances",
@@ -396,15 +379,9 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
              against 28 measured forces; loads count from contact."
         ),
         checks,
-        charts: vec![
-            Chart {
-                title: "Force on the load cell".to_owned(),
-                word: "force",
-                x: LOAD,
-                y: FORCE,
-                series,
-            },
-            sensitivity(table)?,
+        data: vec![
+            Data::CellForces(forces),
+            Data::CalibrationErrors(sensitivity(table)?),
         ],
         pictures: Vec::new(),
         notes: vec![
@@ -423,26 +400,19 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
 }
 
 /// The average error over all, by the point that μ is calibrated on.
-fn sensitivity(table: &ForceTable) -> Result<Chart, ExperimentError> {
-    let mut series = Vec::new();
+fn sensitivity(table: &ForceTable) -> Result<Vec<CalibrationErrors>, ExperimentError> {
+    let mut all = Vec::new();
     for distance in table.distances_mm() {
-        let mut points = Vec::new();
+        let mut by_load_g = Vec::new();
         for row in table.rows() {
             let estimator = calibrated_on(table, row.load_g, *distance, WINDOW_MM)?;
             let errors = table.errors(|other| force_g(&estimator, other.load_g));
-            points.push((row.load_g, errors.mean_g));
+            by_load_g.push((row.load_g, errors.mean_g));
         }
-        series.push(Series::new(
-            format!("d = {distance} mm"),
-            Mark::Dots,
-            points,
-        ));
+        all.push(CalibrationErrors {
+            distance_mm: *distance,
+            by_load_g,
+        });
     }
-    Ok(Chart {
-        title: "Average error, by the point that fixes μ".to_owned(),
-        word: "calibration",
-        x: Axis::new("load of the calibration point", "g"),
-        y: Axis::new("average error over all", "g"),
-        series,
-    })
+    Ok(all)
 }

@@ -1,15 +1,17 @@
 //! The paper's experiments as data: each figure and table recomputed, with the
 //! paper's value beside ours, and measured shapes against computed ones.
 //!
-//! [`reproduce`] makes an [`Item`]: numbers compared ([`Check`]), curves
-//! ([`Chart`]), shapes ([`Picture`]), what the text leaves out. Nothing is
-//! drawn or printed here, and no value that the text does not give is invented:
-//! where the photograph or the pull is missing, the item says so.
+//! [`reproduce`] makes an [`Item`]: numbers compared ([`Check`]), what its
+//! curves are made of ([`Data`]), shapes ([`Picture`]), what the text leaves
+//! out. Nothing is drawn or printed here, and no value that the text does not
+//! give is invented: where the photograph or the pull is missing, the item says
+//! so.
 //!
 //! Items are for readers, so their numbers are in the units of reports:
 //! millimetres, grams, degrees.
 
 mod best_pull;
+mod data;
 mod item;
 mod links;
 mod load_cell;
@@ -24,7 +26,10 @@ mod tip;
 mod window;
 
 pub use best_pull::{ShapeError, best_pull};
-pub use item::{Axis, Chart, Check, Id, Item, Mark, Picture, Series, Verdict};
+pub use data::{
+    Backbone, CalibrationErrors, CellForces, Data, DiskForces, Forces, PostMultipliers, TipMotion,
+};
+pub use item::{Check, Id, Item, Picture, Verdict};
 pub use measured::{Measured, MeasuredFault, MeasuredPoint};
 pub use scenes::PaperScene;
 pub use shape_fit::{ShapeFit, compare};

@@ -1,7 +1,8 @@
 //! Fig. 3b, 4a, 4b and 5: shapes, free and among posts, and their multipliers.
 
 use super::ExperimentError;
-use super::item::{Axis, Chart, Check, Id, Item, Mark, Series};
+use super::data::{Backbone, Data, PostMultipliers};
+use super::item::{Check, Id, Item};
 use super::scenes::{PaperScene, picture, solved_at};
 use super::window::pull_window;
 use crate::equilibrium::{Class, Solution};
@@ -9,7 +10,7 @@ use crate::forces::{part_name, share_of_tension};
 use crate::geometry::Vector;
 use crate::model::{Line, Problem};
 use crate::scene::Scene;
-use crate::units::{millimetres, per_millimetre};
+use crate::units::millimetres;
 
 /// The pull at which shapes are shown where the text gives none, as in the
 /// scene file.
@@ -21,36 +22,18 @@ const NO_PHOTOGRAPH: &str = "The points of the photograph are not in the text, s
      distance between photograph and computed shape cannot be recomputed. “sinew compare” measures \
      it for points of your own.";
 
-/// x over y of a shape, in mm.
-fn outline(points: impl Iterator<Item = Vector>) -> Vec<(f64, f64)> {
-    points
-        .map(|p| (millimetres(p.x), millimetres(p.y)))
-        .collect()
-}
-
-/// A map's axis.
-const fn map(name: &'static str) -> Axis {
-    Axis {
-        name,
-        unit: "mm",
-        from_zero: true,
-        to_scale: true,
-    }
-}
-
 pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::Free.problem()?;
     let robot = *problem.robot();
-    let mut series = Vec::new();
+    let mut backbones = Vec::new();
     let mut worst = 0.0_f64;
     for pull_mm in [2.5, 5.0, 7.5, 10.0] {
         let (there, solution) = solved_at(&problem, pull_mm)?;
         worst = worst.max(off_the_arc(&there, &solution));
-        series.push(Series::new(
-            format!("{pull_mm} mm"),
-            Mark::Line,
-            outline(solution.backbone()),
-        ));
+        backbones.push(Backbone {
+            pull_mm,
+            points: solution.backbone().collect(),
+        });
     }
     let (there, solution) = solved_at(&problem, scene_pull_mm(&scene))?;
     Ok(Item {
@@ -84,13 +67,7 @@ pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
                 1e12 * worst,
             ),
         ],
-        charts: vec![Chart {
-            title: "Backbone at four pulls".to_owned(),
-            word: "shapes",
-            x: map("x"),
-            y: map("y"),
-            series,
-        }],
+        data: vec![Data::Backbones(backbones)],
         pictures: vec![picture("robot", &scene, there, solution)],
         notes: Vec::new(),
         missing: vec![
@@ -143,7 +120,7 @@ pub(super) fn figure_4a() -> Result<Item, ExperimentError> {
              to a pull of {pull_mm} mm."
         ),
         checks,
-        charts: Vec::new(),
+        data: Vec::new(),
         pictures: vec![picture("robot", &scene, there, solution)],
         notes: Vec::new(),
         missing: vec![
@@ -200,7 +177,7 @@ pub(super) fn figure_4b() -> Result<Item, ExperimentError> {
              only between {first:.3} and {last:.3} mm. Shown is {pull_mm} mm."
         ),
         checks,
-        charts: Vec::new(),
+        data: Vec::new(),
         pictures: vec![picture("robot", &scene, there, solution)],
         notes: Vec::new(),
         missing: vec![
@@ -269,22 +246,18 @@ pub(super) fn figure_5() -> Result<Item, ExperimentError> {
     let pull_mm = scene_pull_mm(&scene);
     let (there, solution) = solved_at(&problem, pull_mm)?;
     let nodes = solution.nodes.len();
-    let series = |name: &str, obstacle: usize| {
+    let of_post = |name: &'static str, obstacle: usize| {
         let at = |node: usize| {
             let here = pressing(&solution)
                 .filter(|c| c.obstacle == obstacle && c.node == node && c.line == Line::Cable);
-            per_millimetre(here.map(|c| c.multiplier).sum::<f64>()) * 1e6
+            here.map(|c| c.multiplier).sum()
         };
-        let points = (1..nodes).map(|node| ((node + 1) as f64, at(node) + 0.0));
-        Series::new(name, Mark::Stems, points.collect())
+        PostMultipliers {
+            name,
+            by_node: (1..nodes).map(at).collect(),
+        }
     };
-    let chart = Chart {
-        title: "Multipliers of the cable's nodes".to_owned(),
-        word: "multipliers",
-        x: Axis::new("node, from 1", ""),
-        y: Axis::new("multiplier", "10⁻⁶ rad²/mm"),
-        series: vec![series("f₁, lower post", 0), series("f₂, upper post", 1)],
-    };
+    let posts = vec![of_post("f₁, lower post", 0), of_post("f₂, upper post", 1)];
     Ok(Item {
         id: Id::Fig5,
         title: "Contacts from Lagrange multipliers",
@@ -293,7 +266,7 @@ pub(super) fn figure_5() -> Result<Item, ExperimentError> {
              not touch have exactly none: the active set decides, not a threshold."
         ),
         checks: post_checks(&there, &solution),
-        charts: vec![chart],
+        data: vec![Data::Multipliers(posts)],
         pictures: Vec::new(),
         notes: vec![
             "A clearance is measured in millimetres here and the energy is Σ bend², so that a \

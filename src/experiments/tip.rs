@@ -1,9 +1,10 @@
 //! Fig. 7: the tip's displacement over the pull, with the lines of eq. 7.
 
 use super::ExperimentError;
-use super::item::{Axis, Chart, Check, Id, Item, Mark, Series};
+use super::data::{Data, TipMotion};
+use super::item::{Check, Id, Item};
 use super::scenes::PaperScene;
-use crate::forces::{LineFit, Rates, Sweep, VirtualWork, Window};
+use crate::forces::{Rates, Sweep, VirtualWork, Window};
 use crate::model::Problem;
 use crate::units::{degrees, metres, millimetres};
 
@@ -16,10 +17,10 @@ const PULLS: usize = 41;
 /// The lines through a free robot's node from no pull to `last_mm`.
 pub(super) fn free_rates(node: usize, last_mm: f64) -> Result<Rates, ExperimentError> {
     let (_, problem) = PaperScene::Free.problem()?;
-    Ok(sweep(&problem, node, last_mm)?.1)
+    Ok(motion(&problem, node, last_mm)?.rates)
 }
 
-fn sweep(problem: &Problem, node: usize, last_mm: f64) -> Result<(Sweep, Rates), ExperimentError> {
+fn motion(problem: &Problem, node: usize, last_mm: f64) -> Result<TipMotion, ExperimentError> {
     let window = Window {
         first: 0.0,
         last: metres(last_mm),
@@ -27,57 +28,18 @@ fn sweep(problem: &Problem, node: usize, last_mm: f64) -> Result<(Sweep, Rates),
     let pulls = Sweep::pulls(window.first, window.last, PULLS);
     let sweep = Sweep::of(problem, node, &pulls)?;
     let rates = Rates::fit(&sweep, window)?;
-    Ok((sweep, rates))
+    Ok(TipMotion {
+        sweep,
+        rates,
+        window,
+    })
 }
 
 pub(super) fn figure_7() -> Result<Item, ExperimentError> {
     let (_, problem) = PaperScene::Free.problem()?;
     let tip = problem.robot().segments;
-    let (sweep, rates) = sweep(&problem, tip, WINDOW_MM)?;
-    let start = sweep.points[0];
-    let curve = |of: &dyn Fn(&crate::forces::SweepPoint) -> f64| -> Vec<(f64, f64)> {
-        let points = sweep.points.iter();
-        points.map(|p| (millimetres(p.pull), of(p))).collect()
-    };
-    let line = |fit: &LineFit, from: f64, scale: fn(f64) -> f64| -> Vec<(f64, f64)> {
-        let ends = [0.0, metres(WINDOW_MM)];
-        ends.map(|pull| (millimetres(pull), scale(fit.at(pull) - from)))
-            .to_vec()
-    };
-    let place = Chart {
-        title: "Displacement of the tip".to_owned(),
-        word: "displacement",
-        x: Axis::new("pull", "mm"),
-        y: Axis::new("displacement", "mm"),
-        series: vec![
-            Series::new("x", Mark::Line, curve(&|p| millimetres(p.x - start.x))),
-            Series::new(
-                "x, line",
-                Mark::Dashed,
-                line(&rates.x, start.x, millimetres),
-            ),
-            Series::new("y", Mark::Line, curve(&|p| millimetres(p.y - start.y))),
-            Series::new(
-                "y, line",
-                Mark::Dashed,
-                line(&rates.y, start.y, millimetres),
-            ),
-        ],
-    };
-    let slope = Chart {
-        title: "Slope of the tip, counterclockwise".to_owned(),
-        word: "slope",
-        x: Axis::new("pull", "mm"),
-        y: Axis::new("slope", "deg"),
-        series: vec![
-            Series::new("θ", Mark::Line, curve(&|p| degrees(p.angle - start.angle))),
-            Series::new(
-                "θ, line",
-                Mark::Dashed,
-                line(&rates.angle, start.angle, degrees),
-            ),
-        ],
-    };
+    let motion = motion(&problem, tip, WINDOW_MM)?;
+    let rates = motion.rates;
     let fits = [
         ("f′_x", "mm/mm", rates.x, 1.0),
         ("f′_y", "mm/mm", rates.y, 1.0),
@@ -109,7 +71,7 @@ pub(super) fn figure_7() -> Result<Item, ExperimentError> {
              by least squares from 0 to {WINDOW_MM} mm."
         ),
         checks,
-        charts: vec![place, slope],
+        data: vec![Data::TipMotion(motion)],
         pictures: Vec::new(),
         notes,
         missing: vec![format!(

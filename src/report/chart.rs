@@ -3,8 +3,8 @@
 //! counterpart for dark backgrounds in [`STYLE`].
 
 use super::characters::printable;
-use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::math::{unsigned_zero, with_minus};
+use crate::view::{Axis, Chart, CurveStyle, Series};
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
@@ -192,33 +192,38 @@ fn tick(value: f64) -> String {
 /// The hue of a series: a dashed line has that of the line before it, whose
 /// model it is.
 fn hue(index: usize, all: &[Series]) -> RGBColor {
-    let own = all[..=index].iter().filter(|s| s.mark != Mark::Dashed);
+    let own = all[..=index]
+        .iter()
+        .filter(|s| s.style != CurveStyle::Dashed);
     HUES[own.count().saturating_sub(1) % HUES.len()]
 }
 
 /// Which of the marks for points a series has.
 fn mark_of(index: usize, all: &[Series]) -> usize {
-    all[..index].iter().filter(|s| s.mark == Mark::Dots).count()
+    all[..index]
+        .iter()
+        .filter(|s| s.style == CurveStyle::Dots)
+        .count()
 }
 
 fn draw_series(plane: &mut Plane<'_, '_>, series: &Series, index: usize, all: &[Series]) -> Drawn {
     let colour = hue(index, all);
     let points = series.points.iter().copied();
     let line = colour.stroke_width(px(2));
-    match series.mark {
-        Mark::Line => {
+    match series.style {
+        CurveStyle::Line => {
             plane.draw_series(LineSeries::new(points, line))?;
         }
-        Mark::Dashed => {
+        CurveStyle::Dashed => {
             plane.draw_series(DashedLineSeries::new(points, px(7), px(5), line))?;
         }
-        Mark::Dots => {
+        CurveStyle::Dots => {
             let shape = mark_of(index, all);
             for point in points {
                 dot(plane.plotting_area(), point, shape, colour)?;
             }
         }
-        Mark::Stems => {
+        CurveStyle::Stems => {
             for (x, y) in points {
                 let stem = vec![(x, 0.0), (x, y)];
                 plane.draw_series(LineSeries::new(stem, line))?;
@@ -293,15 +298,17 @@ fn draw_legend(chart: &Chart, lines: &[Vec<usize>], area: &Area<'_>) -> Drawn {
             let colour = hue(index, &chart.series);
             let stroke = colour.stroke_width(px(2));
             let path = |from: u32, to: u32| PathElement::new(vec![at(from, y), at(to, y)], stroke);
-            match series.mark {
-                Mark::Line => area.draw(&path(x, x + 24))?,
-                Mark::Dashed => {
+            match series.style {
+                CurveStyle::Line => area.draw(&path(x, x + 24))?,
+                CurveStyle::Dashed => {
                     for start in [x, x + 9, x + 18] {
                         area.draw(&path(start, start + 6))?;
                     }
                 }
-                Mark::Dots => dot(area, at(x + 12, y), mark_of(index, &chart.series), colour)?,
-                Mark::Stems => dot(area, at(x + 12, y), index, colour)?,
+                CurveStyle::Dots => {
+                    dot(area, at(x + 12, y), mark_of(index, &chart.series), colour)?
+                }
+                CurveStyle::Stems => dot(area, at(x + 12, y), index, colour)?,
             }
             let style = font(14, &INK).pos(plotters::style::text_anchor::Pos::new(
                 plotters::style::text_anchor::HPos::Left,

@@ -4,6 +4,7 @@
 use super::chart::{self, ChartError, escaped};
 use crate::experiments::{Check, Item, Verdict};
 use crate::math::typeset;
+use crate::view;
 use std::fmt::Write;
 
 /// A picture for an item: its title and the page's element that shows it.
@@ -141,12 +142,13 @@ fn section(body: &mut String, item: &Item, pictures: &[Figure]) -> Result<(), Ch
         escaped(title),
         escaped(&item.about)
     );
-    if !(pictures.is_empty() && item.charts.is_empty()) {
+    let charts = view::charts(item);
+    if !(pictures.is_empty() && charts.is_empty()) {
         body.push_str("<div class=figures>\n");
         for picture in pictures {
             figure(body, &picture.element, &picture.title, None);
         }
-        for chart in &item.charts {
+        for chart in &charts {
             let data = format!("data/{word}-{}.csv", chart.word);
             figure(body, &chart::svg(chart)?, &chart.title, Some(&data));
         }

@@ -3,20 +3,25 @@
 //!
 //! [`draw`] makes a [`Drawing`]: marks in the world, in metres, with what they
 //! mean. A [`Theme`] says how each role looks; [`place_labels`] finds room for
-//! the text once letters have a size.
+//! the text once letters have a size. A [`Chart`] is curves over one abscissa.
 
 mod bounds;
+mod chart;
+mod compared;
 mod draw;
 mod drawing;
 mod frame;
 mod labels;
 mod outcome;
+mod paper;
 mod path;
 mod quantity;
 mod shares;
 mod theme;
 
 pub use bounds::Bounds;
+pub use chart::{Axis, Chart, CurveStyle, Series};
+pub use compared::compared;
 pub use draw::{Notes, draw};
 pub use drawing::{
     Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Most, Role, Spot, Standing,
@@ -24,6 +29,7 @@ pub use drawing::{
 pub use frame::Frame;
 pub use labels::{Placed, place_labels, place_labels_beside};
 pub use outcome::{outcome, reason};
+pub use paper::charts;
 pub use path::{Clipped, Outline, Path, Piece, circle, clip_half_plane, hatching, outline};
 pub use quantity::{Quantity, one_two_five, superscript};
 pub use shares::Shares;

@@ -8,9 +8,8 @@ use super::pane::{
 use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::state::Hovered;
-use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::units::degrees;
-use crate::view::Quantity;
+use crate::view::{Axis, Chart, CurveStyle as Mark, Quantity, Series};
 use eframe::egui::{Align2, Rect, Ui, vec2};
 
 pub(super) fn show(

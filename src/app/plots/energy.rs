@@ -10,9 +10,8 @@ use super::{Link, Plot, PlotAction, PlotCache, PlotData, marks};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::state::Hovered;
 use crate::app::words;
-use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::units::{millimetres, per_millimetre};
-use crate::view::Quantity;
+use crate::view::{Axis, Chart, CurveStyle as Mark, Quantity, Series};
 use eframe::egui::{Ui, vec2};
 
 pub(super) fn show(

@@ -1,9 +1,9 @@
 //! The plots as the contents of files: tables with every digit, and charts.
 
 use super::{Plot, PlotCache, PlotData, bends, energy, force, multipliers, tip};
-use crate::experiments::Chart;
 use crate::math::unsigned_zero;
 use crate::report::chart::{ChartError, svg_column};
+use crate::view::Chart;
 
 /// The numbers of a plot, as CSV with a row of names that carry the units.
 pub fn csv(plot: Plot, data: &PlotData<'_>) -> String {

@@ -10,11 +10,10 @@ use crate::app::look::{Tokens, theme_of};
 use crate::app::state::Hovered;
 use crate::app::words;
 use crate::equilibrium::Class;
-use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::explore::LoadPoint;
 use crate::scene::ForceReading;
 use crate::units::{grams, millimetres, newtons};
-use crate::view::Quantity;
+use crate::view::{Axis, Chart, CurveStyle as Mark, Quantity, Series};
 use eframe::egui::{Align2, CursorIcon, Response, RichText, Sense, Stroke, Ui, pos2, vec2};
 use egui_plot::{Line, PlotPoint};
 

@@ -9,10 +9,9 @@ use crate::app::look::{Tokens, theme_of};
 use crate::app::state::Hovered;
 use crate::app::words;
 use crate::equilibrium::Class;
-use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::forces::part_name;
 use crate::units::{grams, millimetres, per_millimetre};
-use crate::view::{Quantity, Theme, superscript};
+use crate::view::{Axis, Chart, CurveStyle as Mark, Quantity, Series, Theme, superscript};
 use eframe::egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
 
 /// How near the pointer has to be to a stem.
