@@ -4,7 +4,7 @@
 use sinew::equilibrium::{Class, Settings, Solution, Start, Status, solve};
 use sinew::forces::{
     Caveat, FitError, LineFit, Loaded, Loading, Profile, Rates, Sections, Statics, Stiffness,
-    Sweep, SweepError, VirtualWork, VirtualWorkError, Window, part_name, share_of_tension,
+    Sweep, SweepError, VirtualWork, VirtualWorkError, Window, share_of_tension,
 };
 use sinew::geometry::Vector;
 use sinew::model::Problem;
@@ -229,36 +229,6 @@ fn a_stiffness_comes_from_a_number_a_section_or_a_weighed_pull() {
     let straight = at(&there, 0.0);
     let still = solved(&straight);
     assert!(Stiffness::calibrated(&straight, &still, load).is_err());
-}
-
-#[test]
-fn parts_are_named_by_their_disks_as_the_paper_counts_them() {
-    let there = problem("two-discs");
-    let solution = solved(&there);
-    let names: Vec<_> = solution
-        .contacts
-        .iter()
-        .map(|contact| part_name(there.robot(), contact))
-        .collect();
-    assert_eq!(names, ["disk 6, cable side", "disk 9, cable side"]);
-    let mut between = solution.contacts[0];
-    between.node = 11;
-    assert_eq!(
-        part_name(there.robot(), &between),
-        "between disks 6 and 7, cable side"
-    );
-    // A link belongs to the bay it lies in, also where it ends at a disk.
-    between.line = sinew::model::Line::CableLink;
-    between.node = 12;
-    assert_eq!(
-        part_name(there.robot(), &between),
-        "between disks 6 and 7, cable"
-    );
-    between.node = 13;
-    assert_eq!(
-        part_name(there.robot(), &between),
-        "between disks 7 and 8, cable"
-    );
 }
 
 #[test]

@@ -11,11 +11,10 @@ use super::output::{object, printable, pull_shown, reader};
 use super::{Failure, Outcome, force_text, numbers};
 use crate::equilibrium::{Settings, Start, Status, solve};
 use crate::forces::{
-    Loading, Profile, Rates, Stiffness, Sweep, SweepError, VirtualWork, Window, part_name,
-    share_of_tension,
+    Loading, Profile, Rates, Stiffness, Sweep, SweepError, VirtualWork, Window, share_of_tension,
 };
 use crate::math::shortest;
-use crate::model::Problem;
+use crate::model::{Problem, part_name};
 use crate::scene::{Measurements, Scene};
 use crate::units::{
     degrees, grams, metres, millimetres, newton_square_metres, newton_square_millimetres, newtons,
@@ -391,7 +390,11 @@ fn shares(
         }
     }
     let contacts = solution.contacts.iter().map(|contact| Share {
-        contact: label(scene, part_name(problem.robot(), contact), contact.obstacle),
+        contact: label(
+            scene,
+            part_name(problem.robot(), contact.line, contact.node),
+            contact.obstacle,
+        ),
         node: contact.node,
         obstacle: contact.obstacle,
         force_over_tension: share_of_tension(&solution, contact),
@@ -405,7 +408,11 @@ fn loaded(scene: &Scene, problem: &Problem, state: &crate::forces::Loaded) -> Lo
     let contacts = statics.contacts.iter().map(|force| {
         let contact = &force.contact;
         Pressed {
-            contact: label(scene, part_name(problem.robot(), contact), contact.obstacle),
+            contact: label(
+                scene,
+                part_name(problem.robot(), contact.line, contact.node),
+                contact.obstacle,
+            ),
             node: contact.node,
             obstacle: contact.obstacle,
             point_mm: [millimetres(contact.point.x), millimetres(contact.point.y)],

@@ -6,9 +6,9 @@ use super::item::{Check, Id, Item};
 use super::scenes::{PaperScene, picture, solved_at};
 use super::window::pull_window;
 use crate::equilibrium::{Class, Solution};
-use crate::forces::{part_name, share_of_tension};
+use crate::forces::share_of_tension;
 use crate::geometry::Vector;
-use crate::model::{Line, Problem};
+use crate::model::{Line, Problem, part_name};
 use crate::scene::Scene;
 use crate::units::millimetres;
 
@@ -221,7 +221,7 @@ fn post_checks(problem: &Problem, solution: &Solution) -> Vec<Check> {
 fn contact_checks(problem: &Problem, solution: &Solution) -> Vec<Check> {
     let mut checks = Vec::new();
     for contact in pressing(solution) {
-        let part = part_name(problem.robot(), contact);
+        let part = part_name(problem.robot(), contact.line, contact.node);
         checks.push(Check::ours(
             format!("Contact at {part}: height above the base"),
             "mm",

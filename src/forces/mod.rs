@@ -22,7 +22,6 @@
 //! | R_x, R_y, M_r | [`Statics::clamp`] | reaction at the base |
 //! | B | [`Stiffness`] | bending stiffness EI |
 
-mod label;
 mod line_fit;
 mod loading;
 mod sections;
@@ -31,7 +30,6 @@ mod stiffness;
 mod sweep;
 mod virtual_work;
 
-pub use label::{part_name, part_name_at};
 pub use line_fit::{FitError, LineFit};
 pub use loading::{Loaded, Loading};
 pub use sections::{Section, Sections};

@@ -27,37 +27,10 @@ pub enum Line {
 }
 
 impl Line {
-    /// The line's name in files and reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Line::Backbone => "backbone",
-            Line::Cable => "cable",
-            Line::RimCableSide => "rim_cable_side",
-            Line::RimFarSide => "rim_far_side",
-            Line::BackboneLink => "backbone_link",
-            Line::CableLink => "cable_link",
-            Line::Disk => "disk",
-        }
-    }
-
     /// Whether its parts are points, which only a node moves, and not the
     /// lines between them.
     pub fn is_point(self) -> bool {
         !matches!(self, Line::BackboneLink | Line::CableLink | Line::Disk)
-    }
-
-    /// The part of the robot that this line has at a node, in words: `the
-    /// cable between nodes 9 and 10`.
-    pub fn part(self, node: usize) -> String {
-        let link = |name| format!("the {name} between nodes {} and {node}", node - 1);
-        match self {
-            Line::Backbone | Line::Cable => format!("{} node {node}", self.name()),
-            Line::RimCableSide => format!("the cable-side rim at node {node}"),
-            Line::RimFarSide => format!("the far rim at node {node}"),
-            Line::BackboneLink => link("backbone"),
-            Line::CableLink => link("cable"),
-            Line::Disk => format!("the disk at node {node}"),
-        }
     }
 }
 

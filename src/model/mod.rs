@@ -8,6 +8,7 @@
 mod candidate;
 mod four_bar;
 mod from_scene;
+mod names;
 mod node;
 mod problem;
 mod robot;
@@ -16,6 +17,7 @@ mod sizes;
 
 pub use candidate::{Candidate, Element, Joins, Line};
 pub use four_bar::{FourBar, MOST_BEND, MOST_TURN};
+pub use names::part_name;
 pub use node::PlanarNode;
 pub use problem::{Bend, Place, Problem};
 pub use robot::Robot;

@@ -7,8 +7,7 @@ use crate::app::look::Tokens;
 use crate::app::state::{Hovered, State};
 use crate::app::words;
 use crate::equilibrium::{Contact, Solution};
-use crate::forces::part_name;
-use crate::model::Problem;
+use crate::model::{Problem, part_name};
 use crate::units::{METRES_PER_MM, degrees, millimetres};
 use crate::view::{Frame, Quantity, Theme};
 use eframe::egui::{Color32, Painter, Rect, Stroke};
@@ -118,7 +117,7 @@ fn node_chip(problem: &Problem, solution: &Solution, index: usize) -> Chip {
 
 /// What there is to know of a contact.
 fn contact_chip(state: &State, problem: &Problem, contact: &Contact) -> Chip {
-    let part = part_name(problem.robot(), contact);
+    let part = part_name(problem.robot(), contact.line, contact.node);
     let name = words::obstacle_of(&state.document.scene, contact.obstacle);
     let multiplier = contact.multiplier * METRES_PER_MM;
     let force = state.document.force(contact.multiplier);

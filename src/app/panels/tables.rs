@@ -7,7 +7,8 @@ use crate::app::look::{Tokens, colour, theme_of};
 use crate::app::state::{Hovered, Selection, State};
 use crate::app::words;
 use crate::equilibrium::Class;
-use crate::forces::{Statics, part_name};
+use crate::forces::Statics;
+use crate::model::part_name;
 use crate::scene::limits::{COORDINATE, Limits, RADIUS};
 use crate::scene::{Obstacle, Shape};
 use crate::units::{grams, millimetres, per_millimetre};
@@ -158,7 +159,11 @@ fn contact(
     let most = all
         .map(|it| it.multiplier)
         .fold(f64::MIN_POSITIVE, f64::max);
-    let part = words::capital(&part_name(state.live.problem().robot(), contact));
+    let part = words::capital(&part_name(
+        state.live.problem().robot(),
+        contact.line,
+        contact.node,
+    ));
     let obstacle = contact.obstacle;
     let name = words::obstacle_of(&state.document.scene, obstacle);
     let standing = Standing {

@@ -9,7 +9,7 @@ use crate::app::look::{Tokens, theme_of};
 use crate::app::state::Hovered;
 use crate::app::words;
 use crate::equilibrium::Class;
-use crate::forces::part_name;
+use crate::model::part_name;
 use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::{Axis, Chart, CurveStyle as Mark, Quantity, Series, Theme, superscript};
 use eframe::egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
@@ -127,7 +127,7 @@ fn reading(data: &PlotData<'_>, link: &Link, tokens: &Tokens) -> Text {
                 return Text::default();
             };
             let on = words::obstacle_of(data.scene, contact.obstacle);
-            let part = part_name(robot, contact);
+            let part = part_name(robot, contact.line, contact.node);
             let multiplier = per_millimetre(contact.multiplier);
             let text = Text::of(&format!("{part}, on {on}"), tokens.text);
             let text = match contact.class {
@@ -299,7 +299,7 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
         let force = per_bend.map(|per_bend| grams(per_bend * contact.multiplier));
         table.write_record([
             contact.node.to_string(),
-            part_name(data.problem.robot(), contact),
+            part_name(data.problem.robot(), contact.line, contact.node),
             contact.line.name().to_owned(),
             words::obstacle_of(data.scene, contact.obstacle),
             contact.class.word().to_owned(),
