@@ -16,7 +16,7 @@
 //! text ── scene ──▶ Scene ── model ──▶ Problem ── equilibrium ──▶ Solution
 //!                                         │                          │
 //!                        geometry: clearances of obstacles      Certificate
-//!                        solver: least cost along a chain      view, report
+//!                        solver: least cost along a chain  view, report, record
 //! ```
 //!
 //! A [`scene::Scene`] is what a file says and may be half-edited nonsense.
@@ -42,13 +42,15 @@
 //! - [`equilibrium`]: from a problem to a certified solution, step by step.
 //! - [`forces`]: newtons, from multipliers with a bending stiffness and from
 //!   kinematics by virtual work; the balance of the whole robot.
-//! - [`experiments`]: the paper's figures and table as data, measurements from CSV,
-//!   and measured shapes against computed ones.
+//! - [`experiments`]: the numbers of the paper's figures and table, measurements
+//!   from CSV, and measured shapes against computed ones.
 //! - [`explore`]: the robot along its whole pull: its path, its jumps, the
 //!   forces under every load.
+//! - [`record`]: what is written of a result, in the units of files: keys of
+//!   JSON, columns of tables, and their versions.
 //! - [`solving`]: live requests, the newest first, in slices.
 //! - [`view`]: a solution as plain draw data: marks in the world and what they
-//!   mean, the same for every picture.
+//!   mean, and curves over an axis; the same for every picture.
 //! - [`report`]: drawings, charts and pages as the contents of files.
 //! - `render`: the clearance field and the robot in space, on the graphics
 //!   processor. With the feature `app`.
@@ -127,6 +129,7 @@ pub mod forces;
 pub mod geometry;
 pub mod math;
 pub mod model;
+pub mod record;
 #[cfg(feature = "app")]
 pub mod render;
 pub mod report;

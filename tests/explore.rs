@@ -2,10 +2,11 @@
 //! numbers, and what has to hold of jumps, ends and slices.
 
 use sinew::equilibrium::{Occurrence, Progress, Run, Settings, Solution, Start, Status, solve};
-use sinew::explore::{COLUMNS, LoadCurve, Path, PathRun, rows};
+use sinew::explore::{LoadCurve, Path, PathRun};
 use sinew::forces::{Loading, Stiffness, Sweep};
 use sinew::geometry::Vector;
 use sinew::model::Problem;
+use sinew::record::path::{COLUMNS, rows};
 use sinew::scene::{Candidates, Line, Listed, Scene, Shape};
 
 const FREE: &str = include_str!("../assets/scenes/free.toml");

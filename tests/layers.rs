@@ -18,6 +18,7 @@ const LAYERS: &[(&str, u32)] = &[
     ("forces", 6),
     ("experiments", 7),
     ("explore", 7),
+    ("record", 8),
     ("solving", 8),
     ("view", 8),
     ("report", 9),
@@ -46,6 +47,10 @@ const TOP_ONLY: &[&str] = &[
     "println!",
     "print!",
 ];
+
+/// What does no IO and still has to name [`TOP_ONLY`]'s `std::io`: serde_json
+/// formats numbers through its trait Write, in memory.
+const IN_MEMORY: (&str, &str) = ("record/json.rs", "std::io");
 
 /// Below the window: none of std's functions that the system or the processor
 /// compute, whose last digits differ from machine to machine; libm has them.
@@ -285,7 +290,9 @@ fn only_the_top_does_io_and_only_geometry_knows_parry() {
         let grouped = named_after(&shipped, "std::");
         for word in TOP_ONLY {
             let module = word.strip_prefix("std::");
-            if shipped.contains(word) || module.is_some_and(|name| grouped.contains(&name)) {
+            let named =
+                shipped.contains(word) || module.is_some_and(|name| grouped.contains(&name));
+            if named && (source.path.as_str(), *word) != IN_MEMORY {
                 wrong.push(format!("{} has {word}", source.path));
             }
         }

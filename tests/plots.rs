@@ -6,9 +6,10 @@ use egui_kittest::kittest::Queryable;
 use sinew::app::plots::{self, Link, Plot, PlotAction, PlotCache, PlotData};
 use sinew::app::{Hovered, look};
 use sinew::equilibrium::{Class, Settings, Solution, Start, solve};
-use sinew::explore::{Path, PathRun, rows};
+use sinew::explore::{Path, PathRun};
 use sinew::forces::Window;
 use sinew::model::Problem;
+use sinew::record::path::rows;
 use sinew::scene::{ForceReading, Measurements, Scene, Shape};
 
 const FREE: &str = include_str!("../assets/scenes/free.toml");

@@ -3,21 +3,19 @@
 use std::fs;
 use std::io::{self, BufWriter, Write};
 
-use serde::Serialize;
-
 use super::arguments::{Compare, Format};
 use super::input::{self, BadInput};
-use super::output::{object, printable, pull_shown, reader, record};
+use super::output::{csv_row, object, printable, pull_shown, reader};
 use super::progress::Progress;
 use super::{Failure, Outcome, tables};
 use crate::equilibrium::{Settings, Solution, Start, Status, solve};
 use crate::experiments::measured_csv::LeftOut;
 use crate::experiments::{Measured, ShapeError, ShapeFit, best_pull, compare};
-use crate::math::{decimals, shortest};
+use crate::math::decimals;
 use crate::model::Problem;
+use crate::record::Fit;
 use crate::report::chart;
 use crate::scene::Scene;
-use crate::units::millimetres;
 use crate::view::compared;
 
 /// Steps of the progress bar.
@@ -78,10 +76,10 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
         fs::write(path, picture).map_err(|error| super::draw::named(path, &error))?;
     }
     let title = printable(scene.title.as_deref().unwrap_or("Untitled scene"));
-    let found = Found::of(title, how, &problem, (&measured, &left_out), &fit);
+    let found = Fit::of(title, how, &problem, &measured, &fit).leaving_out(left_out.rows());
     let mut out = BufWriter::new(io::stdout().lock());
     let written = match what.format {
-        Format::Text => text(&mut out, &found),
+        Format::Text => text(&mut out, &found, &left_out),
         Format::Json => object(&mut out, &found),
         Format::Csv => csv(&mut out, &found),
     };
@@ -124,83 +122,7 @@ fn none_held(origin: &str) -> BadInput {
     ))
 }
 
-const SCHEMA: &str = "sinew-compare-1";
-
-#[derive(Serialize)]
-struct Found {
-    schema: &'static str,
-    title: String,
-    pull_mm: f64,
-    /// `given`, `best fit` or, where the given one is not reached, that it is
-    /// the last good one.
-    pull: &'static str,
-    /// What each point was compared with.
-    against: &'static str,
-    rms_mm: f64,
-    rms_percent_of_length: f64,
-    max_mm: f64,
-    max_percent_of_length: f64,
-    max_row: usize,
-    /// The length of the line through the points.
-    length_mm: f64,
-    length_percent: f64,
-    /// The rows that hold nothing.
-    left_out: Vec<usize>,
-    #[serde(skip)]
-    about_left_out: String,
-    points: Vec<Point>,
-}
-
-#[derive(Serialize)]
-struct Point {
-    row: usize,
-    x_mm: f64,
-    y_mm: f64,
-    distance_mm: f64,
-}
-
-impl Found {
-    fn of(
-        title: String,
-        how: &'static str,
-        problem: &Problem,
-        (measured, left_out): (&Measured, &LeftOut),
-        fit: &ShapeFit,
-    ) -> Self {
-        let percent = |distance: f64| 100.0 * distance / problem.length();
-        let points = measured.points().iter().zip(&fit.distances);
-        Self {
-            schema: SCHEMA,
-            title,
-            pull_mm: millimetres(fit.pull),
-            pull: how,
-            against: if measured.by_node() {
-                "its own node"
-            } else {
-                "the nearest point of the backbone"
-            },
-            rms_mm: millimetres(fit.rms),
-            rms_percent_of_length: percent(fit.rms),
-            max_mm: millimetres(fit.max),
-            max_percent_of_length: percent(fit.max),
-            max_row: fit.max_row,
-            length_mm: millimetres(measured.length()),
-            length_percent: percent(measured.length()),
-            left_out: left_out.rows().to_vec(),
-            about_left_out: left_out.to_string(),
-            points: points
-                .map(|(point, distance)| Point {
-                    row: point.row,
-                    x_mm: millimetres(point.position.x),
-                    y_mm: millimetres(point.position.y),
-                    distance_mm: millimetres(*distance),
-                })
-                .collect(),
-        }
-    }
-}
-
-fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
+fn text(out: &mut impl Write, found: &Fit, left_out: &LeftOut) -> io::Result<()> {
     writeln!(out, "{}\n", found.title)?;
     let pull = decimals(found.pull_mm, 3);
     writeln!(out, "  pull     {pull} mm ({})", found.pull)?;
@@ -226,19 +148,16 @@ fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
         found.length_mm, found.length_percent
     )?;
     if !found.left_out.is_empty() {
-        writeln!(out, "  caution: {}", found.about_left_out)?;
+        writeln!(out, "  caution: {left_out}")?;
     }
     Ok(())
 }
 
-fn csv(out: &mut impl Write, found: &Found) -> io::Result<()> {
+fn csv(out: &mut impl Write, fit: &Fit) -> io::Result<()> {
     let mut table = ::csv::Writer::from_writer(out);
-    record(&mut table, ["row", "x_mm", "y_mm", "distance_mm"])?;
-    for point in &found.points {
-        let numbers = [point.x_mm, point.y_mm, point.distance_mm];
-        let numbers = numbers.iter().map(|value| shortest(*value));
-        let row = point.row.to_string();
-        record(&mut table, std::iter::once(row).chain(numbers))?;
+    csv_row(&mut table, Fit::COLUMNS)?;
+    for row in fit.rows() {
+        csv_row(&mut table, row)?;
     }
     table.flush()
 }

@@ -3,18 +3,18 @@
 
 use std::io::{self, BufWriter, Write};
 
-use serde::Serialize;
-
 use super::arguments::{Force, Format, Motion};
 use super::input::{self, BadInput};
-use super::output::{object, printable, pull_shown, reader};
+use super::output::{csv_row, object, printable, pull_shown, reader};
 use super::{Failure, Outcome, force_text, numbers};
-use crate::equilibrium::{Settings, Start, Status, solve};
+use crate::equilibrium::{Contact, Settings, Start, Status, solve};
 use crate::forces::{
     Loading, Profile, Rates, Stiffness, Sweep, SweepError, VirtualWork, Window, share_of_tension,
 };
-use crate::math::shortest;
 use crate::model::{Problem, part_name};
+use crate::record::force::{
+    ByMultipliers, ByVirtualWork, Forces, Line, Loaded, Row, SCHEMA, Share,
+};
 use crate::scene::{Measurements, Scene};
 use crate::units::{
     degrees, grams, metres, millimetres, newton_square_metres, newton_square_millimetres, newtons,
@@ -30,7 +30,7 @@ pub(super) fn run(what: &Force) -> Result<Outcome, Failure> {
     let mut out = BufWriter::new(io::stdout().lock());
     let written = match what.format {
         Format::Text => force_text::text(&mut out, &found),
-        Format::Json => json(&mut out, &found),
+        Format::Json => object(&mut out, &found),
         Format::Csv => csv(&mut out, &found),
     };
     // Whoever stopped reading still gets the exit code.
@@ -70,120 +70,12 @@ fn wrong(error: impl std::fmt::Display) -> BadInput {
     BadInput::Arguments(error.to_string())
 }
 
-const SCHEMA: &str = "sinew-force-1";
-
-/// Everything that is printed.
-#[derive(Serialize)]
-pub(super) struct Found {
-    pub schema: &'static str,
-    pub title: String,
-    /// Not where the robot does not get through the window.
-    #[serde(flatten)]
-    pub virtual_work: Option<ByVirtualWork>,
-    /// At `pull_mm`.
-    pub contacts: Vec<Share>,
-    /// The scene's own pull, or the last before it that the robot gets to.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub pull_mm: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub by_multipliers: Option<ByMultipliers>,
-    /// The loads that are reached.
-    pub loads: Vec<Row>,
-    /// Why something is missing.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub reason: Option<String>,
-}
-
-#[derive(Serialize)]
-pub(super) struct ByVirtualWork {
-    pub node: usize,
-    pub motion: &'static str,
-    pub window_mm: [f64; 2],
-    pub x: Line,
-    pub y: Line,
-    pub slope: Line,
-    pub friction: f64,
-    /// Where the friction comes from: an option, a field of the scene, or neither.
-    pub friction_from: String,
-    pub force_per_load: f64,
-    pub caveats: Vec<String>,
-}
-
-/// A straight line over the pull: x and y in mm, the slope in degrees.
-#[derive(Serialize)]
-pub(super) struct Line {
-    pub per_mm: f64,
-    pub intercept: f64,
-    pub rms_residual: f64,
-    pub max_residual: f64,
-    pub r_squared: f64,
-    pub points: usize,
-}
-
-/// A contact's force over the cable's tension.
-#[derive(Serialize)]
-pub(super) struct Share {
-    pub contact: String,
-    pub node: usize,
-    pub obstacle: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub force_over_tension: Option<f64>,
-}
-
-#[derive(Serialize)]
-pub(super) struct ByMultipliers {
-    pub ei_n_mm2: f64,
-    /// Where it comes from: an option or a field of the scene.
-    pub ei_from: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub contact_pull_mm: Option<f64>,
-    pub datum_g: f64,
-}
-
-#[derive(Serialize)]
-pub(super) struct Row {
-    pub load_g: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub force_x_g: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub force_y_g: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub multipliers: Option<Loaded>,
-}
-
-/// The state under a load, by multipliers.
-#[derive(Serialize)]
-pub(super) struct Loaded {
-    pub pull_mm: f64,
-    pub tension_g: f64,
-    /// The sum of the normal forces on obstacles.
-    pub force_g: f64,
-    pub force_n: f64,
-    pub contacts: Vec<Pressed>,
-    pub clamp_force_n: [f64; 2],
-    pub clamp_moment_n_mm: f64,
-    pub unbalanced_force: f64,
-    pub unbalanced_moment: f64,
-}
-
-#[derive(Serialize)]
-pub(super) struct Pressed {
-    pub contact: String,
-    pub node: usize,
-    pub obstacle: usize,
-    pub point_mm: [f64; 2],
-    pub normal: [f64; 2],
-    pub force_g: f64,
-    /// What the obstacle exerts on the robot.
-    pub on_robot_n: [f64; 2],
-}
-
 fn estimate(
     what: &Force,
     scene: &Scene,
     problem: &Problem,
     loads: &[f64],
-) -> Result<Found, BadInput> {
+) -> Result<Forces, BadInput> {
     let mut unreached = Unreached::default();
     let worked = virtual_work(what, scene, problem, &mut unreached)?;
     let stiffness = unreached.but(stiffness(what, scene, problem)?)?.flatten();
@@ -206,7 +98,7 @@ fn estimate(
                 let Some(state) = state else {
                     continue;
                 };
-                Some(loaded(scene, problem, state))
+                Some(Loaded::of(state, |contact| label(scene, problem, contact)))
             }
             None => None,
         };
@@ -228,7 +120,7 @@ fn estimate(
         let least = missing.copied().fold(f64::INFINITY, f64::min);
         unreached.note(format!("a load of {least} g is not reached: {end}"));
     }
-    Ok(Found {
+    Ok(Forces {
         schema: SCHEMA,
         title: printable(scene.title.as_deref().unwrap_or("Untitled scene")),
         virtual_work: worked.map(|(_, told)| told),
@@ -298,9 +190,9 @@ fn virtual_work(
         node,
         motion,
         window_mm: [first, last],
-        x: line(&rates.x, millimetres),
-        y: line(&rates.y, millimetres),
-        slope: line(&rates.angle, degrees),
+        x: Line::of(&rates.x, millimetres),
+        y: Line::of(&rates.y, millimetres),
+        slope: Line::of(&rates.angle, degrees),
         friction: estimator.friction(),
         friction_from,
         force_per_load: estimator.force_per_load(),
@@ -312,17 +204,6 @@ fn virtual_work(
 fn without_obstacles(problem: &Problem) -> Problem {
     let candidates = problem.candidates().to_vec();
     Problem::from_parts(*problem.robot(), problem.pull(), candidates, Vec::new())
-}
-
-fn line(fit: &crate::forces::LineFit, unit: fn(f64) -> f64) -> Line {
-    Line {
-        per_mm: unit(fit.slope * metres(1.0)),
-        intercept: unit(fit.intercept),
-        rms_residual: unit(fit.rms_residual),
-        max_residual: unit(fit.max_residual),
-        r_squared: fit.r_squared,
-        points: fit.points,
-    }
 }
 
 /// A stiffness with where it comes from, or why there is none.
@@ -363,11 +244,13 @@ fn stiffness(what: &Force, scene: &Scene, problem: &Problem) -> Result<Known, Ba
 }
 
 /// A contact in words: `disk 6, cable side, on lower`.
-fn label(scene: &Scene, part: String, obstacle: usize) -> String {
+fn label(scene: &Scene, problem: &Problem, contact: &Contact) -> String {
+    let obstacle = contact.obstacle;
     let on = scene.obstacles.get(obstacle).map_or_else(String::new, |o| {
         let name = o.name.as_deref().map(printable);
         name.unwrap_or_else(|| format!("{} {obstacle}", o.shape.word()))
     });
+    let part = part_name(problem.robot(), contact.line, contact.node);
     format!("{part}, on {on}")
 }
 
@@ -390,11 +273,7 @@ fn shares(
         }
     }
     let contacts = solution.contacts.iter().map(|contact| Share {
-        contact: label(
-            scene,
-            part_name(problem.robot(), contact.line, contact.node),
-            contact.obstacle,
-        ),
+        contact: label(scene, problem, contact),
         node: contact.node,
         obstacle: contact.obstacle,
         force_over_tension: share_of_tension(&solution, contact),
@@ -402,59 +281,11 @@ fn shares(
     (contacts.collect(), Some(millimetres(solution.pull)))
 }
 
-fn loaded(scene: &Scene, problem: &Problem, state: &crate::forces::Loaded) -> Loaded {
-    let statics = &state.statics;
-    let total: f64 = statics.contacts.iter().map(|c| c.normal_force).sum();
-    let contacts = statics.contacts.iter().map(|force| {
-        let contact = &force.contact;
-        Pressed {
-            contact: label(
-                scene,
-                part_name(problem.robot(), contact.line, contact.node),
-                contact.obstacle,
-            ),
-            node: contact.node,
-            obstacle: contact.obstacle,
-            point_mm: [millimetres(contact.point.x), millimetres(contact.point.y)],
-            normal: [contact.normal.x, contact.normal.y],
-            force_g: grams(force.normal_force),
-            on_robot_n: [force.on_robot.x, force.on_robot.y],
-        }
-    });
-    Loaded {
-        pull_mm: millimetres(state.pull),
-        tension_g: grams(statics.tension),
-        force_g: grams(total),
-        force_n: total,
-        contacts: contacts.collect(),
-        clamp_force_n: [statics.clamp.force.x, statics.clamp.force.y],
-        clamp_moment_n_mm: millimetres(statics.clamp.moment),
-        unbalanced_force: statics.unbalanced_force,
-        unbalanced_moment: statics.unbalanced_moment,
-    }
-}
-
-fn json(out: &mut impl Write, found: &Found) -> io::Result<()> {
-    object(out, found)
-}
-
-fn csv(out: &mut impl Write, found: &Found) -> io::Result<()> {
+fn csv(out: &mut impl Write, found: &Forces) -> io::Result<()> {
     let mut table = ::csv::Writer::from_writer(out);
-    let mut head = vec!["load_g", "virtual_work_x_g", "virtual_work_y_g"];
-    if found.by_multipliers.is_some() {
-        head.extend(["pull_mm", "tension_g", "multipliers_g"]);
-    }
-    super::output::record(&mut table, head)?;
-    for row in &found.loads {
-        let mut fields = vec![Some(row.load_g), row.force_x_g, row.force_y_g];
-        if let Some(loaded) = &row.multipliers {
-            let numbers = [loaded.pull_mm, loaded.tension_g, loaded.force_g];
-            fields.extend(numbers.map(Some));
-        }
-        let fields = fields
-            .iter()
-            .map(|value| value.map_or_else(String::new, shortest));
-        super::output::record(&mut table, fields)?;
+    csv_row(&mut table, found.columns())?;
+    for row in found.rows() {
+        csv_row(&mut table, row)?;
     }
     table.flush()
 }

@@ -2,14 +2,14 @@
 
 use std::io::{self, Write};
 
-use super::force::{ByVirtualWork, Found};
 use super::output::pull_shown;
 use crate::math::{decimals, typeset, unsigned_zero};
+use crate::record::force::{ByVirtualWork, Forces};
 use crate::scene::limits;
 use crate::units::metres;
 
 /// The report: the lines of virtual work, the multipliers, the table of loads.
-pub(super) fn text(out: &mut impl Write, found: &Found) -> io::Result<()> {
+pub(super) fn text(out: &mut impl Write, found: &Forces) -> io::Result<()> {
     writeln!(out, "{}\n", found.title)?;
     writeln!(out, "Virtual work (eq. 11)\n")?;
     match &found.virtual_work {
@@ -64,7 +64,7 @@ fn virtual_work(out: &mut impl Write, known: &ByVirtualWork) -> io::Result<()> {
     Ok(())
 }
 
-fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
+fn multipliers(out: &mut impl Write, found: &Forces) -> io::Result<()> {
     writeln!(out, "\nMultipliers\n")?;
     match &found.by_multipliers {
         Some(known) => {
@@ -108,7 +108,7 @@ fn multipliers(out: &mut impl Write, found: &Found) -> io::Result<()> {
     Ok(())
 }
 
-fn table(out: &mut impl Write, found: &Found) -> io::Result<()> {
+fn table(out: &mut impl Write, found: &Forces) -> io::Result<()> {
     let both = found.by_multipliers.is_some();
     if found.loads.is_empty() {
         return Ok(());

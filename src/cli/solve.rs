@@ -4,13 +4,13 @@ use std::io::{self, BufWriter, Write};
 
 use super::arguments::{Format, Solve};
 use super::input::{self, BadInput};
-use super::output::{Labels, Output, Reader, State, pull_shown, reader};
+use super::output::{Labels, Output, Reader, pull_shown, reader};
 use super::progress::Progress;
-use super::timing::Timing;
-use super::{Failure, Outcome};
+use super::{Failure, Outcome, timing};
 use crate::equilibrium::{self, Run, Settings, Start, Status};
 use crate::forces::Stiffness;
 use crate::model::Problem;
+use crate::record::Solution;
 
 /// Steps of the progress bar of one solve.
 pub(super) const RESOLUTION: u32 = 1000;
@@ -48,12 +48,12 @@ fn single<W: Write>(
         progress.at((run.share() * f64::from(RESOLUTION)) as u32);
     });
     drop(progress);
-    let Some(mut state) = State::of(&run, stiffness) else {
+    let Some(mut state) = Solution::of(&run, stiffness) else {
         return Ok(not_finite(problem));
     };
     let outcome = outcome(&run, problem);
     if let (Some(count), Outcome::Done) = (repeat, &outcome) {
-        state.timing_us = Some(Timing::measure(problem, count));
+        state.timing_us = Some(timing::measure(problem, count));
     }
     // Whoever stopped reading still gets the exit code.
     reader(output.solution(&state))?;
@@ -78,7 +78,7 @@ fn path<W: Write>(
             run.retarget(&target);
         }
         finish(&mut run, |_| progress.at(step));
-        let Some(state) = State::of(&run, stiffness) else {
+        let Some(state) = Solution::of(&run, stiffness) else {
             ended = not_finite(&target);
             break;
         };

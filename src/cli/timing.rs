@@ -4,79 +4,54 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use serde::Serialize;
-
 use super::progress::Progress;
 use crate::equilibrium::{Run, Settings, Solution, Start, Status, solve};
 use crate::model::Problem;
+use crate::record::{Sample, Timing};
 use crate::units::metres;
 
 /// How far the pull moves between two warm solves, mm.
 const NUDGE_MM: f64 = 0.05;
 
-/// Times of the three kinds of solve, in microseconds.
-#[derive(Serialize)]
-pub(super) struct Timing {
-    /// Directly from the free shape: [`Start::Direct`].
-    pub cold: Sample,
-    /// Along the pull from the straight robot: [`Start::Straight`].
-    pub path: Sample,
-    /// From the same robot at a pull 0.05 mm away.
-    pub warm: Sample,
-}
+/// Solves a problem so many times in each of the three ways.
+pub(super) fn measure(problem: &Problem, count: u32) -> Timing {
+    let settings = Settings::default();
+    let mut progress = Progress::new("timing", 3 * count);
+    let mut done = 0;
+    let mut next = || {
+        done += 1;
+        progress.at(done);
+    };
 
-/// What a number of solves took, in microseconds.
-#[derive(Serialize)]
-pub(super) struct Sample {
-    /// Half of them took at most this long.
-    pub median: f64,
-    /// 99 % of them took at most this long.
-    pub p99: f64,
-    /// How many of them converged.
-    pub converged: u32,
-}
-
-impl Timing {
-    /// Solves a problem so many times in each of the three ways.
-    pub fn measure(problem: &Problem, count: u32) -> Self {
-        let settings = Settings::default();
-        let mut progress = Progress::new("timing", 3 * count);
-        let mut done = 0;
-        let mut next = || {
-            done += 1;
-            progress.at(done);
-        };
-
-        let mut cold = Samples::default();
-        let mut path = Samples::default();
-        for (start, samples) in [(Start::Direct, &mut cold), (Start::Straight, &mut path)] {
-            for _ in 0..count {
-                let begin = Instant::now();
-                let solution = solve(black_box(problem), start, settings);
-                samples.add(begin.elapsed(), &solution);
-                next();
-            }
-        }
-
-        let mut warm = Samples::default();
-        let mut run = Run::new(problem, Start::Straight, settings);
-        run.finish();
-        let nearby = nearby(problem);
-        for index in 0..count {
-            let target = if index % 2 == 0 { &nearby } else { problem };
+    let mut cold = Samples::default();
+    let mut path = Samples::default();
+    for (start, samples) in [(Start::Direct, &mut cold), (Start::Straight, &mut path)] {
+        for _ in 0..count {
             let begin = Instant::now();
-            run.retarget(black_box(target));
-            let solution = run.finish();
-            let elapsed = begin.elapsed();
-            warm.add(elapsed, solution);
+            let solution = solve(black_box(problem), start, settings);
+            samples.add(begin.elapsed(), &solution);
             next();
         }
+    }
 
-        Self {
-            cold: cold.sum_up(),
-            path: path.sum_up(),
-            warm: warm.sum_up(),
-        }
+    let mut warm = Samples::default();
+    let mut run = Run::new(problem, Start::Straight, settings);
+    run.finish();
+    let nearby = nearby(problem);
+    for index in 0..count {
+        let target = if index % 2 == 0 { &nearby } else { problem };
+        let begin = Instant::now();
+        run.retarget(black_box(target));
+        let solution = run.finish();
+        let elapsed = begin.elapsed();
+        warm.add(elapsed, solution);
+        next();
+    }
+
+    Timing {
+        cold: cold.sum_up(),
+        path: path.sum_up(),
+        warm: warm.sum_up(),
     }
 }
 

@@ -12,11 +12,9 @@ mod load_curve;
 mod path;
 mod path_run;
 mod slope;
-mod table;
 mod tip;
 
 pub use load_curve::{LoadCurve, LoadPoint};
 pub use path::{End, Path, PathState, Pressing};
 pub use path_run::PathRun;
 pub use slope::usual_end;
-pub use table::{COLUMNS, rows};

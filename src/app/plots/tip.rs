@@ -9,8 +9,9 @@ use super::pane::{
 use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::plots::cache::Piece;
-use crate::explore::{COLUMNS, Path, rows};
+use crate::explore::Path;
 use crate::forces::{LineFit, Rates, Window};
+use crate::record::path::{COLUMNS, rows};
 use crate::units::{degrees, metres, millimetres};
 use crate::view::{Axis, Chart, CurveStyle as Mark, Quantity, Series};
 use eframe::egui::{Align2, DragValue, RichText, Sense, Ui, pos2, vec2};

@@ -1,8 +1,8 @@
-//! Results as text, JSON or CSV. Each writer reads the one plain [`State`].
+//! Records on their way out: as text for a terminal, JSON or CSV. What a record
+//! holds is not its business.
 
 mod csv;
 mod json;
-mod state;
 mod text;
 
 use std::io::{self, ErrorKind, Write};
@@ -11,13 +11,13 @@ use super::arguments::Format;
 use crate::equilibrium::Caution;
 use crate::math::unsigned_zero;
 use crate::model::Problem;
+use crate::record::Solution;
 use crate::scene::Scene;
 use crate::scene::limits::shown;
 use crate::units::millimetres;
 
-pub(super) use self::csv::record;
+pub(super) use self::csv::csv_row;
 pub(super) use self::json::object;
-pub(super) use state::State;
 
 pub(super) use crate::report::on_a_terminal as printable;
 
@@ -68,7 +68,7 @@ impl Labels {
     }
 }
 
-/// Where states go, in one of the formats.
+/// Where records of solutions go, in one of the formats.
 pub(super) struct Output<W> {
     out: W,
     format: Format,
@@ -89,17 +89,17 @@ impl<W: Write> Output<W> {
     }
 
     /// Writes the result of one solve.
-    pub fn solution(&mut self, state: &State) -> io::Result<()> {
+    pub fn solution(&mut self, state: &Solution) -> io::Result<()> {
         match self.format {
             Format::Text => text::solution(&mut self.out, &self.labels, state)?,
-            Format::Json => json::solution(&mut self.out, state)?,
+            Format::Json => json::object(&mut self.out, state)?,
             Format::Csv => csv::solution(&mut self.out, state)?,
         }
         self.out.flush()
     }
 
     /// Writes one state of a path, at once.
-    pub fn path_state(&mut self, state: &State) -> io::Result<()> {
+    pub fn path_state(&mut self, state: &Solution) -> io::Result<()> {
         let index = self.states;
         self.states += 1;
         match self.format {

@@ -1,18 +1,17 @@
-//! States as a report for people, with as many digits as mean something.
+//! Solutions as a report for people, with as many digits as mean something.
 
 use std::io::{self, Write};
 
-use super::super::timing::Timing;
-use super::state::{Caution, Contact, Event, State};
 use super::{Labels, paragraph, pull_shown};
 use crate::equilibrium::Certificate as Conditions;
 use crate::math::decimals;
+use crate::record::{Caution, Contact, Event, Solution, Timing};
 use crate::units::{degrees, metres};
 
 /// Contacts or events that are listed one by one.
 const LISTED: usize = 40;
 
-pub(super) fn solution(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()> {
+pub(super) fn solution(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Result<()> {
     writeln!(out, "{}\n", labels.title)?;
     writeln!(out, "  status       {}: {}", state.status, state.reason)?;
     let pull = pull_shown(metres(state.pull_mm));
@@ -44,7 +43,7 @@ pub(super) fn solution(out: &mut impl Write, labels: &Labels, state: &State) -> 
     state.timing_us.as_ref().map_or(Ok(()), |t| timing(out, t))
 }
 
-fn certificate(out: &mut impl Write, state: &State) -> io::Result<()> {
+fn certificate(out: &mut impl Write, state: &Solution) -> io::Result<()> {
     let certificate = &state.certificate;
     let bound = Conditions::BOUND;
     let verdict = if certificate.holds {
@@ -69,7 +68,7 @@ fn certificate(out: &mut impl Write, state: &State) -> io::Result<()> {
     )
 }
 
-fn cautions(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()> {
+fn cautions(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Result<()> {
     if state.cautions.is_empty() {
         return Ok(());
     }
@@ -80,7 +79,7 @@ fn cautions(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<
     and_more(out, state.cautions.len())
 }
 
-fn contacts(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()> {
+fn contacts(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Result<()> {
     if state.contacts.is_empty() {
         return writeln!(out, "\nNothing touches.");
     }
@@ -124,7 +123,7 @@ fn contacts(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<
     Ok(())
 }
 
-fn events(out: &mut impl Write, labels: &Labels, state: &State) -> io::Result<()> {
+fn events(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Result<()> {
     if state.events.is_empty() {
         return Ok(());
     }
@@ -166,7 +165,7 @@ pub(super) fn path_state(
     out: &mut impl Write,
     labels: &Labels,
     index: usize,
-    state: &State,
+    state: &Solution,
 ) -> io::Result<()> {
     if index == 0 {
         writeln!(out, "{}\n", labels.title)?;

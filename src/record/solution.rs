@@ -1,5 +1,4 @@
-//! A solution as it is printed: plain data in the units of files and reports,
-//! and the one place that says what its keys are called.
+//! The record of a solution.
 
 use serde::Serialize;
 
@@ -12,18 +11,22 @@ use crate::geometry::Vector;
 use crate::model::Line;
 use crate::units::{millimetres, per_millimetre};
 
-use super::super::timing::Timing;
+use super::timing::Timing;
 
 /// The version of the keys below.
 const SCHEMA: &str = "sinew-solution-1";
 
-/// A solution, in the order of its keys in JSON.
+/// A solution, in the order of its keys in JSON. Points and directions are in
+/// the scene's frame.
 #[derive(Serialize)]
-pub(in crate::cli) struct State {
+pub struct Solution {
+    /// The version of the keys.
     pub schema: &'static str,
+    /// How the run ended, in a word.
     pub status: &'static str,
     /// The status in a sentence.
     pub reason: String,
+    /// The length of cable drawn in; negative where it is let out.
     pub pull_mm: f64,
     /// Where the last node is.
     pub tip_mm: [f64; 2],
@@ -36,33 +39,49 @@ pub(in crate::cli) struct State {
     pub tension_n: Option<f64>,
     /// n + 1 points, base first.
     pub backbone_mm: Vec<[f64; 2]>,
+    /// n + 1 points, base first.
     pub cable_mm: Vec<[f64; 2]>,
     /// Of n segments, clockwise.
     pub bends_rad: Vec<f64>,
+    /// Of n segments, clockwise.
     pub shears_rad: Vec<f64>,
+    /// What touches.
     pub contacts: Vec<Contact>,
+    /// Whether the multipliers are the only ones possible.
     pub unique_split: bool,
+    /// Whether every obstacle had come to its place when the run ended.
     pub obstacles_placed: bool,
+    /// The conditions of an equilibrium, recomputed.
     pub certificate: Certificate,
+    /// What the certificate does not promise.
     pub cautions: Vec<Caution>,
+    /// What happened on the way, by the run's order.
     pub events: Vec<Event>,
+    /// Of the solver, over the whole run.
     pub iterations: usize,
+    /// How long a solve takes, where that was measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub timing_us: Option<Timing>,
 }
 
+/// A part of the robot that touches an obstacle.
 #[derive(Serialize)]
-pub(in crate::cli) struct Contact {
+pub struct Contact {
     /// Index in the file, from 0.
     pub obstacle: usize,
+    /// The line of the robot, by [`Line::name`].
     pub line: &'static str,
     /// Index from 0 at the base.
     pub node: usize,
+    /// `pressing` or `grazing`.
     pub class: &'static str,
-    /// In rad²/mm.
+    /// In rad²/mm, for a clearance in mm.
     pub multiplier: f64,
+    /// Out of the obstacle, of length 1.
     pub normal: [f64; 2],
+    /// Of the obstacle's surface.
     pub point_mm: [f64; 2],
+    /// Signed distance less the part's own radius.
     pub clearance_mm: f64,
     /// Which column of a table by node the contact belongs to.
     #[serde(skip)]
@@ -71,71 +90,100 @@ pub(in crate::cli) struct Contact {
 
 /// One of the two lines a node has points on.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(in crate::cli) enum Side {
+pub enum Side {
+    /// The backbone's, with all that is not on the cable's.
     Backbone,
+    /// The cable's.
     Cable,
 }
 
+/// The conditions of an equilibrium, each as what is left of it, without unit;
+/// see [`crate::equilibrium::Certificate`].
 #[derive(Serialize)]
-pub(in crate::cli) struct Certificate {
+pub struct Certificate {
+    /// Of the balance of forces at every node.
     pub stationarity: f64,
+    /// Of the lengths of the links.
     pub links: f64,
+    /// Of what touches being outside of its obstacle.
     pub penetration: f64,
+    /// Of what presses being in touch.
     pub complementarity: f64,
+    /// Of nothing pulling.
     pub dual: f64,
+    /// The greatest of those above.
     pub residual: f64,
+    /// Whether no segment is flipped.
     pub orientation: bool,
+    /// Whether the shape is a minimum.
     pub minimum: bool,
-    /// In rad²/mm.
+    /// How the energy rises with the pull, in rad²/mm.
     pub energy_slope: f64,
+    /// Whether all of it holds.
     pub holds: bool,
 }
 
 /// A caution; keys that its kind does not have are left out.
 #[derive(Serialize)]
-pub(in crate::cli) struct Caution {
+pub struct Caution {
+    /// Its kind, in a word.
     pub what: &'static str,
     /// In a sentence, obstacles by their index.
     pub message: String,
+    /// The line of the part, by [`Line::name`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<&'static str>,
+    /// The part's node, from 0 at the base.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub node: Option<usize>,
+    /// The node of the part that lies over it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub other_node: Option<usize>,
+    /// The obstacle, by its place in the file from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub obstacle: Option<usize>,
+    /// How deep the part is inside.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub depth_mm: Option<f64>,
     /// The setting of the scene that removes its cause.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remedy: Option<&'static str>,
+    /// What it was made of, for other sentences.
     #[serde(skip)]
     pub finding: Finding,
 }
 
 /// An event; keys that its kind does not have are left out.
 #[derive(Default, Serialize)]
-pub(in crate::cli) struct Event {
+pub struct Event {
+    /// The pull at which it happened.
     pub pull_mm: f64,
+    /// Its kind, in a word.
     pub what: &'static str,
+    /// The line of the part, by [`Line::name`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<&'static str>,
+    /// The part's node, or the one that moved most, from 0 at the base.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub node: Option<usize>,
+    /// The obstacle, by its place in the file from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub obstacle: Option<usize>,
+    /// How far the node moved in a jump.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub distance_mm: Option<f64>,
+    /// Why a branch ended, in a word.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<&'static str>,
+    /// The segment at which it ended, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub segment: Option<usize>,
+    /// Where an obstacle pushed the robot, of length 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub direction: Option<[f64; 2]>,
 }
 
-impl State {
+impl Solution {
     /// The state a run is in, with the backbone's stiffness where it is known;
     /// `None` where one of its numbers is not finite, which only a failed solve
     /// can lead to.

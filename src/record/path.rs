@@ -1,6 +1,6 @@
 //! A path as rows of numbers, in the units of files.
 
-use super::path::Path;
+use crate::explore::Path;
 use crate::units::{degrees, millimetres, per_millimetre};
 
 /// The names of a row's numbers, with their units.

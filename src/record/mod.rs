@@ -1,0 +1,24 @@
+//! What is written of a result: plain data in the units of files and reports,
+//! with the names of its keys and columns and their versions. The only place
+//! that says what they are called; the report on the paper's figures is not
+//! among them, for it holds drawings' curves.
+//!
+//! A record is made of what was solved and holds no more than is written. Its
+//! keys carry their unit (`pull_mm`) or their documentation does: lengths are
+//! in millimetres, angles in radians, forces in newtons or, where people weigh
+//! them, in grams. JSON has every digit and [no zero with a sign](json); tables
+//! are [columns and rows](nodes). It writes no files.
+
+pub mod force;
+#[cfg(feature = "cli")]
+pub mod json;
+pub mod nodes;
+pub mod path;
+
+mod fit;
+mod solution;
+mod timing;
+
+pub use fit::{Fit, FitPoint};
+pub use solution::{Caution, Certificate, Contact, Event, Side, Solution};
+pub use timing::{Sample, Timing};
