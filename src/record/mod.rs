@@ -6,8 +6,8 @@
 //! A record is made of what was solved and holds no more than is written. Its
 //! keys carry their unit (`pull_mm`) or their documentation does: lengths are
 //! in millimetres, angles in radians, forces in newtons or, where people weigh
-//! them, in grams. JSON has every digit and [no zero with a sign](json); tables
-//! are [columns and rows](nodes). It writes no files.
+//! them, in grams. JSON and tables have every digit and no zero with a sign. It
+//! writes no files.
 
 pub mod force;
 #[cfg(feature = "cli")]
@@ -20,5 +20,5 @@ mod solution;
 mod timing;
 
 pub use fit::{Fit, FitPoint};
-pub use solution::{Caution, Certificate, Contact, Event, Side, Solution};
+pub use solution::{Caution, Certificate, Contact, Event, Place, Side, Solution};
 pub use timing::{Sample, Timing};

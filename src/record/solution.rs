@@ -123,6 +123,34 @@ pub struct Certificate {
     pub holds: bool,
 }
 
+/// A part of the robot and what is there; keys that do not apply are left out.
+#[derive(Default, Serialize)]
+pub struct Place {
+    /// The line of the part, by [`Line::name`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<&'static str>,
+    /// The part's node, from 0 at the base; of a jump, the one that moved most.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub node: Option<usize>,
+    /// The node of a part that lies over it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub other_node: Option<usize>,
+    /// The obstacle, by its place in the file from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub obstacle: Option<usize>,
+}
+
+impl Place {
+    fn of_contact(line: Line, node: usize, obstacle: usize) -> Self {
+        Self {
+            line: Some(line.name()),
+            node: Some(node),
+            other_node: None,
+            obstacle: Some(obstacle),
+        }
+    }
+}
+
 /// A caution; keys that its kind does not have are left out.
 #[derive(Serialize)]
 pub struct Caution {
@@ -130,18 +158,9 @@ pub struct Caution {
     pub what: &'static str,
     /// In a sentence, obstacles by their index.
     pub message: String,
-    /// The line of the part, by [`Line::name`].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub line: Option<&'static str>,
-    /// The part's node, from 0 at the base.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub node: Option<usize>,
-    /// The node of the part that lies over it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub other_node: Option<usize>,
-    /// The obstacle, by its place in the file from 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub obstacle: Option<usize>,
+    /// Where it is.
+    #[serde(flatten)]
+    pub place: Place,
     /// How deep the part is inside.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub depth_mm: Option<f64>,
@@ -160,15 +179,9 @@ pub struct Event {
     pub pull_mm: f64,
     /// Its kind, in a word.
     pub what: &'static str,
-    /// The line of the part, by [`Line::name`].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub line: Option<&'static str>,
-    /// The part's node, or the one that moved most, from 0 at the base.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub node: Option<usize>,
-    /// The obstacle, by its place in the file from 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub obstacle: Option<usize>,
+    /// Where it happened.
+    #[serde(flatten)]
+    pub place: Place,
     /// How far the node moved in a jump.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub distance_mm: Option<f64>,
@@ -295,40 +308,37 @@ fn certificate(conditions: &Conditions) -> Certificate {
 }
 
 fn caution(finding: Finding) -> Caution {
-    let mut caution = Caution {
-        what: finding.word(),
-        message: finding.sentence(|index| format!("obstacle {index}")),
-        line: None,
-        node: None,
-        other_node: None,
-        obstacle: None,
-        depth_mm: None,
-        remedy: finding.remedy(),
-        finding,
-    };
-    match finding {
+    let mut depth_mm = None;
+    let place = match finding {
         Finding::Crosses {
             line,
             node,
             obstacle,
             depth,
         } => {
-            caution.line = Some(line.name());
-            caution.node = Some(node);
-            caution.obstacle = Some(obstacle);
-            caution.depth_mm = Some(millimetres(depth));
+            depth_mm = Some(millimetres(depth));
+            Place::of_contact(line, node, obstacle)
         }
-        Finding::Encloses { node, obstacle } => {
-            caution.node = Some(node);
-            caution.obstacle = Some(obstacle);
-        }
-        Finding::Coils { lower, upper } => {
-            caution.node = Some(lower);
-            caution.other_node = Some(upper);
-        }
-        Finding::CablePushes => {}
+        Finding::Encloses { node, obstacle } => Place {
+            node: Some(node),
+            obstacle: Some(obstacle),
+            ..Place::default()
+        },
+        Finding::Coils { lower, upper } => Place {
+            node: Some(lower),
+            other_node: Some(upper),
+            ..Place::default()
+        },
+        Finding::CablePushes => Place::default(),
+    };
+    Caution {
+        what: finding.word(),
+        message: finding.sentence(|index| format!("obstacle {index}")),
+        place,
+        depth_mm,
+        remedy: finding.remedy(),
+        finding,
     }
-    caution
 }
 
 fn event(happening: &Happening) -> Event {
@@ -342,7 +352,7 @@ fn event(happening: &Happening) -> Event {
             obstacle,
             direction,
         } => {
-            event.obstacle = Some(obstacle);
+            event.place.obstacle = Some(obstacle);
             event.direction = Some(pair(direction));
         }
         Occurrence::ContactMade {
@@ -354,13 +364,9 @@ fn event(happening: &Happening) -> Event {
             line,
             node,
             obstacle,
-        } => {
-            event.line = Some(line.name());
-            event.node = Some(node);
-            event.obstacle = Some(obstacle);
-        }
+        } => event.place = Place::of_contact(line, node, obstacle),
         Occurrence::Jump { node, distance } => {
-            event.node = Some(node);
+            event.place.node = Some(node);
             event.distance_mm = Some(millimetres(distance));
         }
         Occurrence::BranchEnded { reason, segment } => {

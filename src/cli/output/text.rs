@@ -211,7 +211,7 @@ fn place(contact: &Contact) -> String {
 /// A caution in a few words.
 fn warned(labels: &Labels, caution: &Caution) -> String {
     let what = caution.what.replace('_', " ");
-    match caution.obstacle {
+    match caution.place.obstacle {
         Some(index) => format!("caution: {what} {}", labels.obstacle(index)),
         None => format!("caution: {what}"),
     }
@@ -220,8 +220,9 @@ fn warned(labels: &Labels, caution: &Caution) -> String {
 /// An event in words.
 fn told(labels: &Labels, event: &Event) -> String {
     let what = event.what.replace('_', " ");
-    let on = event.obstacle.map(|index| labels.obstacle(index));
-    match (event.line, event.node, on, event.distance_mm) {
+    let place = &event.place;
+    let on = place.obstacle.map(|index| labels.obstacle(index));
+    match (place.line, place.node, on, event.distance_mm) {
         (Some(name), Some(node), Some(on), _) => {
             format!("{what}: {} node {node} on obstacle {on}", line(name))
         }
