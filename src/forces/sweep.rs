@@ -1,8 +1,7 @@
 //! A node's place and slope as functions of the pull (eq. 6), by continuation.
 
 use crate::equilibrium::{Class, Run, Settings, Start, Status};
-use crate::model::Problem;
-use crate::solver::Chain;
+use crate::model::{FreeArc, Problem};
 use crate::units::millimetres;
 
 /// A node of the robot at one pull.
@@ -127,28 +126,24 @@ impl Sweep {
     /// outside the linkage's range moved to its ends: an arc at every pull, so
     /// that nothing is solved.
     pub fn free(problem: &Problem, pulls: &[f64]) -> Self {
-        let mut there = problem.clone();
-        let controls = there.free_controls();
+        let robot = problem.robot();
+        let (least, most) = robot.pull_range();
         let points = pulls.iter().map(|&pull| {
-            there.set_pull(pull);
-            let links = controls.iter().enumerate();
-            let tip = links.fold(there.base(), |node, (k, turn)| {
-                there.stage(k + 1, &node, turn).0
-            });
-            let bend = there.segment().free_bend();
+            let pull = pull.clamp(least, most);
+            let FreeArc { bend, tip } = robot.free_arc(pull);
             SweepPoint {
-                pull: there.pull(),
+                pull,
                 x: tip.position.x,
                 y: tip.position.y,
                 angle: tip.angle,
                 // J = n β² with sin(β/2) = l/(2an).
-                energy_slope: 2.0 * bend / (there.robot().offset * libm::cos(0.5 * bend)),
+                energy_slope: 2.0 * bend / (robot.offset * libm::cos(0.5 * bend)),
                 pressing: 0,
             }
         });
         Self {
             points: points.collect(),
-            node: controls.len(),
+            node: robot.segments,
         }
     }
 

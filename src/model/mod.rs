@@ -7,6 +7,7 @@
 
 mod candidate;
 mod four_bar;
+mod free_arc;
 mod from_scene;
 mod names;
 mod node;
@@ -17,6 +18,7 @@ mod sizes;
 
 pub use candidate::{Candidate, Element, Joins, Line};
 pub use four_bar::{FourBar, MOST_BEND, MOST_TURN};
+pub use free_arc::FreeArc;
 pub use names::part_name;
 pub use node::PlanarNode;
 pub use problem::{Bend, Place, Problem};

@@ -3,7 +3,6 @@
 use crate::app::state::State;
 use crate::explore::Path;
 use crate::geometry::Vector;
-use crate::model::{FourBar, Robot};
 use crate::units::metres;
 use std::sync::Arc;
 
@@ -50,7 +49,7 @@ impl TipMap {
             Self::Free => {
                 let robot = state.document.problem().robot();
                 let (least, most) = robot.pull_range();
-                let away = |pull: f64| (free_tip(robot, pull) - point).norm();
+                let away = |pull: f64| (robot.free_arc(pull).tip.position - point).norm();
                 nearest(away, (span.0.max(least), span.1.min(most)))
             }
         }
@@ -76,61 +75,19 @@ fn nearest(away: impl Fn(f64) -> f64, (least, most): (f64, f64)) -> Option<f64> 
     Some(0.5 * (low + high))
 }
 
-/// The tip of the robot without obstacles: every segment has the free bend β*,
-/// so that its steps sum to
-///
-/// ```text
-/// Σ R(−kβ) s = sin(nβ/2)/sin(β/2) R(−(n−1)β/2) s,    k = 0 … n−1
-/// ```
-fn free_tip(robot: &Robot, pull: f64) -> Vector {
-    let count = robot.segments as f64;
-    let segment = FourBar::new(robot.length / count, pull / count, robot.offset);
-    let [step, ..] = segment.at(0.0).step;
-    let bend = segment.free_bend();
-    let steps = if bend.abs() < 1e-9 {
-        count
-    } else {
-        (0.5 * count * bend).sin() / (0.5 * bend).sin()
-    };
-    let (sine, cosine) = (-0.5 * (count - 1.0) * bend).sin_cos();
-    let along = steps
-        * Vector::new(
-            cosine * step.x - sine * step.y,
-            sine * step.x + cosine * step.y,
-        );
-    // The base's disk frame: x along the disk, y along its normal.
-    let base = robot.base;
-    base.position + along.x * base.disk + along.y * base.normal()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::equilibrium::{Settings, Start, Status, solve};
     use crate::model::Problem;
     use crate::scene::Scene;
-
-    #[test]
-    fn the_free_tip_is_where_the_solver_finds_it() {
-        let mut scene = Scene::default();
-        scene.robot.base_mm = [3.0, -7.0];
-        scene.robot.base_angle_deg = 20.0;
-        for pull_mm in [0.0, 1e-7, 4.9, 20.0] {
-            scene.actuation.pull_mm = pull_mm;
-            let problem = Problem::new(&scene).unwrap();
-            let solution = solve(&problem, Start::Straight, Settings::default());
-            assert_eq!(solution.status, Status::Converged);
-            let tip = free_tip(problem.robot(), problem.pull());
-            assert!((tip - solution.tip().position).norm() < 1e-9, "{pull_mm}");
-        }
-    }
 
     #[test]
     fn the_nearest_pull_is_found_from_the_tip_it_leads_to() {
         let problem = Problem::new(&Scene::default()).unwrap();
         for pull in [0.0, 1e-3, 0.0049, 0.02, 0.025] {
-            let tip = free_tip(problem.robot(), pull);
-            let away = |pull: f64| (free_tip(problem.robot(), pull) - tip).norm();
+            let tip_at = |pull: f64| problem.robot().free_arc(pull).tip.position;
+            let tip = tip_at(pull);
+            let away = |pull: f64| (tip_at(pull) - tip).norm();
             let found = nearest(away, (0.0, 0.025)).unwrap();
             assert!((found - pull).abs() < 1e-7, "{found} for {pull}");
         }
