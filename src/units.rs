@@ -1,7 +1,8 @@
 //! Conversions between the library's SI units and those of files and labels.
 //!
-//! The only place where a factor of a thousand or of π/180 appears. It holds
-//! no quantities of its own.
+//! The only place where a factor between them appears, be it a thousand or
+//! π/180; the many units that a measured table may be in are listed where such
+//! tables are read. It holds no quantities of its own.
 
 /// Metres in a millimetre.
 pub const METRES_PER_MM: f64 = 1e-3;
@@ -31,6 +32,15 @@ pub fn per_millimetre(per_metre: f64) -> f64 {
     per_metre * METRES_PER_MM
 }
 
+/// The unit of multipliers, and of the energy's slope over the pull, in files
+/// and labels: what [`per_millimetre`] gives.
+pub const RAD2_PER_MM: &str = "rad²/mm";
+
+/// Picometres from metres.
+pub fn picometres(metres: f64) -> f64 {
+    1e12 * metres
+}
+
 /// Newtons in the weight of a gram, with the standard acceleration of gravity,
 /// 9.80665 m/s².
 pub const NEWTONS_PER_GRAM: f64 = 9.80665e-3;
@@ -43,6 +53,11 @@ pub fn newtons(grams: f64) -> f64 {
 /// The grams that weigh so many newtons.
 pub fn grams(newtons: f64) -> f64 {
     newtons / NEWTONS_PER_GRAM
+}
+
+/// Pascals from gigapascals.
+pub fn pascals(gigapascals: f64) -> f64 {
+    gigapascals * 1e9
 }
 
 /// N·m² from N·mm².

@@ -18,6 +18,7 @@ use crate::record::force::{
 use crate::scene::{Measurements, Scene};
 use crate::units::{
     degrees, grams, metres, millimetres, newton_square_metres, newton_square_millimetres, newtons,
+    pascals,
 };
 
 /// Pulls in the window of the fits.
@@ -219,7 +220,7 @@ fn stiffness(what: &Force, scene: &Scene, problem: &Problem) -> Result<Known, Ba
         let profile = Profile::Rod {
             diameter: metres(diameter_mm.max(0.0)),
         };
-        (Stiffness::of_section(young_gpa * 1e9, profile), "--rod")
+        (Stiffness::of_section(pascals(young_gpa), profile), "--rod")
     } else if let Some(text) = &what.weighed {
         let (load_g, pull_mm) = pair("--weighed", text)?;
         let (least, most) = problem.robot().pull_range();

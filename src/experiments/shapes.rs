@@ -10,7 +10,7 @@ use crate::forces::share_of_tension;
 use crate::geometry::Vector;
 use crate::model::{Line, Problem, part_name};
 use crate::scene::Scene;
-use crate::units::millimetres;
+use crate::units::{millimetres, picometres};
 
 /// The pull at which shapes are shown where the text gives none, as in the
 /// scene file.
@@ -64,7 +64,7 @@ pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
             Check::ours(
                 "Greatest distance of a node from the closed form",
                 "pm",
-                1e12 * worst,
+                picometres(worst),
             ),
         ],
         data: vec![Data::Backbones(backbones)],

@@ -6,7 +6,7 @@ use super::item::{Check, Id, Item};
 use super::scenes::PaperScene;
 use crate::forces::{Rates, Sweep, VirtualWork, Window};
 use crate::model::Problem;
-use crate::units::{degrees, metres, millimetres};
+use crate::units::{degrees, metres, millimetres, per_millimetre};
 
 /// The window of the fits, in mm. The text does not give the figure's.
 pub(super) const WINDOW_MM: f64 = 10.0;
@@ -41,13 +41,18 @@ pub(super) fn figure_7() -> Result<Item, ExperimentError> {
     let motion = motion(&problem, tip, WINDOW_MM)?;
     let rates = motion.rates;
     let fits = [
-        ("f′_x", "mm/mm", rates.x, 1.0),
-        ("f′_y", "mm/mm", rates.y, 1.0),
-        ("f′_θ", "rad/mm", rates.angle, metres(1.0)),
+        ("f′_x", "mm/mm", rates.x, rates.x.slope),
+        ("f′_y", "mm/mm", rates.y, rates.y.slope),
+        (
+            "f′_θ",
+            "rad/mm",
+            rates.angle,
+            per_millimetre(rates.angle.slope),
+        ),
     ];
     let mut checks = Vec::new();
-    for (name, unit, fit, scale) in fits {
-        checks.push(Check::ours(name, unit, scale * fit.slope).decimals(4));
+    for (name, unit, fit, slope) in fits {
+        checks.push(Check::ours(name, unit, slope).decimals(4));
         checks.push(Check::ours(format!("{name}: R²"), "", fit.r_squared).decimals(5));
         let (residual, unit) = if name == "f′_θ" {
             (degrees(fit.rms_residual), "deg")

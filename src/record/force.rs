@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::equilibrium::Contact;
 use crate::forces::{LineFit, Loaded as Reached};
 use crate::math::shortest;
-use crate::units::{grams, metres, millimetres};
+use crate::units::{grams, millimetres, per_millimetre};
 
 /// The version of the keys below.
 pub const SCHEMA: &str = "sinew-force-1";
@@ -86,7 +86,7 @@ impl Line {
     /// into those of files.
     pub fn of(fit: &LineFit, unit: fn(f64) -> f64) -> Self {
         Self {
-            per_mm: unit(fit.slope * metres(1.0)),
+            per_mm: unit(per_millimetre(fit.slope)),
             intercept: unit(fit.intercept),
             rms_residual: unit(fit.rms_residual),
             max_residual: unit(fit.max_residual),

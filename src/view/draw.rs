@@ -12,7 +12,7 @@ use crate::forces::Stiffness;
 use crate::geometry::Vector;
 use crate::model::{PlanarNode, Problem, Sizes};
 use crate::scene::Scene;
-use crate::units::{METRES_PER_MM, degrees, grams, millimetres};
+use crate::units::{RAD2_PER_MM, degrees, grams, millimetres, per_millimetre};
 
 /// Length of the longest arrow, over the backbone's length.
 const ARROW: f64 = 0.16;
@@ -227,7 +227,7 @@ impl Scale {
 
     fn written(self, multiplier: f64) -> Quantity {
         match self {
-            Self::Multiplier => Quantity::significant(multiplier * METRES_PER_MM, "rad²/mm"),
+            Self::Multiplier => Quantity::significant(per_millimetre(multiplier), RAD2_PER_MM),
             Self::Force(per_bend) => Quantity::significant(grams(per_bend * multiplier), "g"),
         }
     }

@@ -6,7 +6,7 @@ use super::{Labels, paragraph, pull_shown};
 use crate::equilibrium::Certificate as Conditions;
 use crate::math::decimals;
 use crate::record::{Caution, Contact, Event, Solution, Timing};
-use crate::units::{degrees, metres};
+use crate::units::{RAD2_PER_MM, degrees, metres};
 
 /// Contacts or events that are listed one by one.
 const LISTED: usize = 40;
@@ -102,7 +102,7 @@ fn contacts(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Resu
     writeln!(
         out,
         "  {:<14}  {:>6}  {:<width$}  {:<8}  {:>10}  {:>8}  {:>8}",
-        "", "", "", "", "rad²/mm", "mm", "mm"
+        "", "", "", "", RAD2_PER_MM, "mm", "mm"
     )?;
     for (contact, name) in shown.iter().zip(&names) {
         let [x, y] = contact.point_mm.map(|coordinate| decimals(coordinate, 2));
