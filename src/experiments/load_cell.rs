@@ -21,6 +21,29 @@ const CALIBRATION_MM: f64 = 31.0;
 /// calibration on rounded readings leave.
 const SAME_THEORY_G: f64 = 0.1;
 
+/// How near, in mm, the solver puts what touches to the surface; the paper's
+/// height is read to a millimetre, so half of one is its rounding.
+const TOUCHES_MM: f64 = 1e-6;
+const HEIGHT_MM: f64 = 0.5;
+
+/// How far errors of the paper's theory may be from those of ours: half a digit
+/// of the average that it gives, and, of the greatest, what the theories differ
+/// by.
+const SAME_AVERAGE_G: f64 = 0.05;
+const SAME_GREATEST_G: f64 = SAME_THEORY_G;
+
+/// How near a force by multipliers would have to be to the measured one, over
+/// it, to be called the same: the readings of the lightest load differ by more.
+const AS_MEASURED: f64 = 0.2;
+
+/// Pulls, in mm, among which the contact with the cell is looked for, and the
+/// steps between them: it comes once, and is met by a quarter of a millimetre.
+const REACH_MM: f64 = 10.0;
+const STEP_MM: f64 = 0.25;
+
+/// The paper's bound on the greatest error.
+const GREATEST_BOUND_G: f64 = 0.5;
+
 /// The paper's bound on the average error.
 const AVERAGE_BOUND_G: f64 = 0.9;
 
@@ -131,14 +154,14 @@ pub(super) fn figure_9() -> Result<Item, ExperimentError> {
             "mm",
             26.0,
             millimetres(cell.point.x),
-            1e-6,
+            TOUCHES_MM,
         ),
         Check::near(
             "Height of the contact above the base",
             "mm",
             127.0,
             height_mm,
-            0.5,
+            HEIGHT_MM,
         ),
         Check::ours("Pull at which it touches", "mm", onset).decimals(3),
     ];
@@ -170,7 +193,7 @@ pub(super) fn figure_9() -> Result<Item, ExperimentError> {
 /// pressing side.
 fn onset(problem: &crate::model::Problem) -> Result<f64, ExperimentError> {
     let touches = |s: &crate::equilibrium::Solution| s.contacts.iter().any(|c| c.multiplier > 0.0);
-    let window = pull_window(problem, 10.0, 0.25, touches)?;
+    let window = pull_window(problem, REACH_MM, STEP_MM, touches)?;
     let window = window.ok_or(ExperimentError::NoContact("the load cell"))?;
     Ok(window.ends_mm().0)
 }
@@ -208,13 +231,13 @@ pub(super) fn figure_10a(table: &ForceTable) -> Result<Item, ExperimentError> {
     checks.push(Check::below(
         format!("Greatest error, against Table 1 at d = {nearest} mm"),
         "g",
-        0.5,
+        GREATEST_BOUND_G,
         most(&|row| force_g(&estimator, row.load_g)),
     ));
     checks.push(Check::below(
         format!("The same of the paper's own theory at d = {nearest} mm"),
         "g",
-        0.5,
+        GREATEST_BOUND_G,
         most(&|row| row.theory_g),
     ));
     checks.push(Check::ours(
@@ -341,14 +364,14 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
         "g",
         paper.mean_g,
         ours.mean_g,
-        0.05,
+        SAME_AVERAGE_G,
     ));
     checks.push(Check::near(
         "Greatest error, the paper's theory and ours",
         "g",
         paper.max_g,
         ours.max_g,
-        0.1,
+        SAME_GREATEST_G,
     ));
     for distance in distances {
         let (first, later) = multiplier_ratio(*distance)?;
@@ -363,7 +386,7 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
                 "",
                 mean,
                 first,
-                0.2 * mean,
+                AS_MEASURED * mean,
             )
             .decimals(4),
         );

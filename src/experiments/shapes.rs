@@ -18,9 +18,26 @@ fn scene_pull_mm(scene: &Scene) -> f64 {
     scene.actuation.pull_mm
 }
 
+/// Steps, in mm, at which a contact is looked for that stays once it is made; and
+/// those, with how far they go, for a pair of contacts that holds over a third
+/// of a millimetre only.
+const STEP_MM: f64 = 0.25;
+const FINE_STEP_MM: f64 = 0.05;
+const REACH_MM: f64 = 8.0;
+
+/// Half a digit of 0.75 %, which the paper's text rounds to.
+const HALF_A_DIGIT: f64 = 0.005;
+
 const NO_PHOTOGRAPH: &str = "The points of the photograph are not in the text, so that the paper's \
      distance between photograph and computed shape cannot be recomputed. “sinew compare” measures \
      it for points of your own.";
+
+fn neither_pull_nor_photograph(pull_mm: f64) -> Vec<String> {
+    vec![
+        format!("The text gives no pull for this figure; ours is {pull_mm} mm."),
+        NO_PHOTOGRAPH.to_owned(),
+    ]
+}
 
 pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::Free.problem()?;
@@ -58,7 +75,7 @@ pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
                 "%",
                 0.75,
                 100.0 * 1.35 / millimetres(robot.length),
-                0.005,
+                HALF_A_DIGIT,
             ),
             Check::not_given("Distance from the photograph, RMS", "mm", 1.35),
             Check::ours(
@@ -70,10 +87,7 @@ pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
         data: vec![Data::Backbones(backbones)],
         pictures: vec![picture("robot", &scene, there, solution)],
         notes: Vec::new(),
-        missing: vec![
-            "The text gives no pull for this figure; ours is 10 mm.".to_owned(),
-            NO_PHOTOGRAPH.to_owned(),
-        ],
+        missing: neither_pull_nor_photograph(scene_pull_mm(&scene)),
     })
 }
 
@@ -100,7 +114,7 @@ pub(super) fn figure_4a() -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::OneDisc.problem()?;
     let pull_mm = scene_pull_mm(&scene);
     let (there, solution) = solved_at(&problem, pull_mm)?;
-    let begins = pull_window(&problem, pull_mm, 0.25, |s| pressing(s).next().is_some())?
+    let begins = pull_window(&problem, pull_mm, STEP_MM, |s| pressing(s).next().is_some())?
         .ok_or(ExperimentError::NoContact("the post of Fig. 4a"))?;
     let mut checks = vec![
         Check::not_given("Distance from the photograph over the length", "%", 0.58),
@@ -123,10 +137,7 @@ pub(super) fn figure_4a() -> Result<Item, ExperimentError> {
         data: Vec::new(),
         pictures: vec![picture("robot", &scene, there, solution)],
         notes: Vec::new(),
-        missing: vec![
-            format!("The text gives no pull for this figure; ours is {pull_mm} mm."),
-            NO_PHOTOGRAPH.to_owned(),
-        ],
+        missing: neither_pull_nor_photograph(pull_mm),
     })
 }
 
@@ -147,7 +158,7 @@ fn pressing(solution: &Solution) -> impl Iterator<Item = &crate::equilibrium::Co
 
 pub(super) fn figure_4b() -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::TwoDiscs.problem()?;
-    let window = pull_window(&problem, 8.0, 0.05, both_posts)?
+    let window = pull_window(&problem, REACH_MM, FINE_STEP_MM, both_posts)?
         .ok_or(ExperimentError::NoContact("the posts of Fig. 4b"))?;
     let (first, last) = window.ends_mm();
     let pull_mm = scene_pull_mm(&scene);
@@ -180,10 +191,7 @@ pub(super) fn figure_4b() -> Result<Item, ExperimentError> {
         data: Vec::new(),
         pictures: vec![picture("robot", &scene, there, solution)],
         notes: Vec::new(),
-        missing: vec![
-            format!("The text gives no pull for this figure; ours is {pull_mm} mm."),
-            NO_PHOTOGRAPH.to_owned(),
-        ],
+        missing: neither_pull_nor_photograph(pull_mm),
     })
 }
 

@@ -39,7 +39,9 @@ pub struct PathRun {
     path: Path,
 }
 
-/// Jumps are met by runs to this share of the robot's length.
+/// Jumps are met by runs to this share of the robot's length: 2 µm of pull on the
+/// paper's robot, less than a pixel of a plot of all pulls. A jump nearer than three of
+/// them is not closed in on again.
 const JUMP_GRAIN: f64 = 1e-5;
 /// Changes of contacts are met to twice this share of it: 0.4 µm on the paper's
 /// robot, where the cable's tension changes by less than 0.01 g.

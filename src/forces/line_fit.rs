@@ -18,6 +18,10 @@ pub struct LineFit {
     pub points: usize,
 }
 
+/// Abscissae that differ by less than this, over the largest, are one: a few
+/// thousand roundings of it, in which a slope would drown.
+const NO_SPREAD: f64 = 1e-12;
+
 /// Why there is no line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FitError {
@@ -60,7 +64,7 @@ impl LineFit {
         };
         let (xx, xy, yy) = (sum(&|x, _| x * x), sum(&|x, y| x * y), sum(&|_, y| y * y));
         let widest = points.iter().map(|p| p.0.abs()).fold(0.0, f64::max);
-        if xx.sqrt() <= 1e-12 * widest || xx == 0.0 {
+        if xx.sqrt() <= NO_SPREAD * widest || xx == 0.0 {
             return Err(FitError::NoSpread(count));
         }
         let slope = xy / xx;

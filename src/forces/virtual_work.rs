@@ -154,14 +154,20 @@ pub enum Caveat {
     SiteDependent,
 }
 
+/// A pull this near to the end of a window, over the window's reach, is inside:
+/// pulls are often computed as shares of the ends, and rounded.
+const GRAIN: f64 = 1e-9;
+/// Work below this, over the larger of its two parts, is none: they cancel, and
+/// what is left of slopes that are known to nine digits means nothing.
+const NO_WORK: f64 = 1e-9;
+
 impl Rates {
     /// Lines through the points of a sweep whose pulls lie in a window.
     ///
     /// # Errors
     /// If the window holds too few different pulls.
     pub fn fit(sweep: &Sweep, window: Window) -> Result<Self, VirtualWorkError> {
-        // Pulls are often computed as shares of the window's own ends.
-        let grain = 1e-9 * window.first.abs().max(window.last.abs());
+        let grain = GRAIN * window.first.abs().max(window.last.abs());
         let inside = |pull: f64| (window.first - grain..=window.last + grain).contains(&pull);
         let within: Vec<_> = sweep.points.iter().filter(|p| inside(p.pull)).collect();
         let line = |of: fn(&super::SweepPoint) -> f64| {
@@ -203,7 +209,7 @@ impl VirtualWork {
         };
         let work = estimator.work();
         let largest = rates.x.slope.abs().max((friction * rates.y.slope).abs());
-        if work.is_finite() && work.abs() > 1e-9 * largest {
+        if work.is_finite() && work.abs() > NO_WORK * largest {
             Ok(estimator)
         } else {
             Err(VirtualWorkError::NoWork { friction })

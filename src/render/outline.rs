@@ -8,6 +8,9 @@ use std::f64::consts::TAU;
 
 /// The greatest turn between neighbouring corners of an arc.
 const TURN: f64 = TAU / 72.0;
+/// The least 1 + cos of a corner's turn that its bevel is mitred for: at sharper
+/// corners, from 177°, the bevel would reach far inside.
+const SHARPEST: f64 = 1e-3;
 
 /// A corner of a convex outline. Where the outline has a kink there are two at
 /// one place.
@@ -112,7 +115,7 @@ fn grown(vertices: &[Vector], radius: f64, origin: Vector, bevel: f64) -> (Vec<C
                 push(normal, (radius - bevel) * normal);
             }
         } else {
-            let mitre = (before + after) / (1.0 + before.dot(&after)).max(1e-3);
+            let mitre = (before + after) / (1.0 + before.dot(&after)).max(SHARPEST);
             push(before, -bevel * mitre);
             push(after, -bevel * mitre);
         }

@@ -17,6 +17,12 @@ use std::sync::Arc;
 const SHADOWS: u32 = 1536;
 /// The direction towards the key light: from the upper left, in front.
 const KEY: Vector3<f64> = Vector3::new(-0.42, 0.62, 0.66);
+/// How far the shadow map reaches, over the diagonal of what is looked at: half
+/// of it and a tenth more, for shadows that fall beside it.
+const SHADED: f64 = 0.55;
+/// What the diagonal is at least, over the robot's length, so that a map is never
+/// divided by nothing.
+const LEAST: f64 = 1e-6;
 /// How far the board reaches, over the size of what stands before it.
 const BOARD: f64 = 1.3;
 
@@ -93,7 +99,7 @@ impl SolidPicture {
 /// depth from 0 to 1 hold the solids and what they shade of the board.
 fn light_matrix(mesh: &Mesh) -> Matrix4<f64> {
     let middle = mesh.focus.centre() - mesh.origin;
-    let reach = 0.55 * mesh.focus.size().norm().max(1e-6 * mesh.length);
+    let reach = SHADED * mesh.focus.size().norm().max(LEAST * mesh.length);
     let back = KEY.normalize();
     let right = Vector3::y().cross(&back).normalize();
     let up = back.cross(&right);

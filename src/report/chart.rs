@@ -16,6 +16,15 @@ const WIDTH: u32 = 560;
 const HEIGHT: u32 = 380;
 const FINE: u32 = 8;
 
+/// Room beyond the data, over what it spans.
+const MARGIN: f64 = 0.05;
+/// What data spans that is all alike, in an axis's unit: enough for plotters to
+/// divide by, and no number that a tick would show.
+const NO_SPAN: f64 = 1e-12;
+/// Numbers at grid lines are rounded to a millionth of an axis's unit: grid lines
+/// are round numbers, and what is left behind them is rounding.
+const TICKS_A_UNIT: f64 = 1e6;
+
 const INK: RGBColor = RGBColor(0x1c, 0x20, 0x28);
 const MUTED: RGBColor = RGBColor(0x5c, 0x60, 0x69);
 const GRID: RGBColor = RGBColor(0xe2, 0xe2, 0xdc);
@@ -185,7 +194,7 @@ fn axis_name(axis: &Axis) -> String {
 
 /// A number at a grid line: as short as it is exact, with a minus sign.
 fn tick(value: f64) -> String {
-    let rounded = unsigned_zero((value * 1e6).round() / 1e6);
+    let rounded = unsigned_zero((value * TICKS_A_UNIT).round() / TICKS_A_UNIT);
     with_minus(&rounded.to_string())
 }
 
@@ -331,7 +340,7 @@ fn ranges(chart: &Chart) -> (Range<f64>, Range<f64>) {
             (f64::INFINITY, f64::NEG_INFINITY)
         };
         let (least, most) = all.fold(start, |(a, b), v| (a.min(v), b.max(v)));
-        let margin = 0.05 * (most - least).max(1e-12);
+        let margin = MARGIN * (most - least).max(NO_SPAN);
         let below = if least < 0.0 || !axis.from_zero {
             margin
         } else {

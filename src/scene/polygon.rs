@@ -47,6 +47,10 @@ pub enum PolygonFault {
 /// for a 1 mm edge a million millimetres out.
 const STRAIGHT: f64 = 1e-9;
 
+/// More than once round, rad: an outline that crosses itself goes round twice,
+/// and the rounding of all its turns is far below this.
+const MORE_THAN_ONCE: f64 = std::f64::consts::TAU + 1e-6;
+
 /// The first fault of the points as a convex polygon, either way round.
 ///
 /// The points must be finite. Vertices in the middle of a straight edge are
@@ -86,7 +90,7 @@ pub(super) fn fault(points: &[[f64; 2]]) -> Option<PolygonFault> {
             return Some(PolygonFault::NotConvex { vertex });
         }
         turned += turn;
-        if turned > std::f64::consts::TAU + 1e-6 {
+        if turned > MORE_THAN_ONCE {
             return Some(PolygonFault::CrossesItself { vertex });
         }
     }

@@ -26,6 +26,21 @@ const MARGIN: f64 = 0.05;
 const LABELLED: f64 = 0.02;
 /// Most numbers on contacts, the greatest first.
 const MOST_LABELS: usize = 8;
+/// How far curves may be from the points that stand for them where the picture's
+/// bounds are found, over the backbone's length: well inside the margin.
+const COARSE: f64 = 1e-3;
+/// The same where an obstacle's extent is found for its name, in metres: below a
+/// pixel on robots of some centimetres, and more than one does no harm.
+const NAMED: f64 = 1e-4;
+/// Grid lines over the larger side of a picture, at least.
+const GRID_LINES: f64 = 8.0;
+/// The longest scale bar, over the picture's width and over its height: it has
+/// to leave the corner beside it free.
+const BAR: [f64; 2] = [0.35, 0.3];
+/// How far the ground at the base reaches to either side, over the rim's radius,
+/// and how far apart and how long the strokes under it are: eight of them.
+const GROUND: f64 = 1.6;
+const HATCH: f64 = 0.4;
 
 /// What a picture shows that neither the problem nor the solution knows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -119,8 +134,8 @@ pub fn draw(problem: &Problem, solution: &Solution, notes: &Notes) -> Drawing {
     let size = bounds.size();
     Drawing {
         bounds,
-        grid: one_two_five(size.max() / 8.0),
-        scale_bar: one_two_five((0.35 * size.x).min(0.3 * size.y)),
+        grid: one_two_five(size.max() / GRID_LINES),
+        scale_bar: one_two_five((BAR[0] * size.x).min(BAR[1] * size.y)),
         labels: labels(solution, notes, &marks, (most, scale), bounds),
         most: (most > 0.0).then(|| scale.end(most)),
         caption: caption(problem, solution, notes),
@@ -155,10 +170,10 @@ fn add_base(marks: &mut Vec<Mark>, nodes: &[PlanarNode], sizes: &Sizes) {
     // Behind the base, whichever way the robot leaves it.
     let normal = base.normal();
     let into = -normal * normal.dot(&(next.position - base.position)).signum();
-    let (from, to) = (base.at(-1.6 * sizes.rim), base.at(1.6 * sizes.rim));
+    let (from, to) = (base.at(-GROUND * sizes.rim), base.at(GROUND * sizes.rim));
     let ground = Path::line(from, to);
     marks.push(mark(Role::Base, Geometry::Path(ground), 0.0));
-    let strokes = hatching([from, to], into, 0.4 * sizes.rim, 0.4 * sizes.rim);
+    let strokes = hatching([from, to], into, HATCH * sizes.rim, HATCH * sizes.rim);
     for [from, to] in strokes {
         let stroke = Geometry::Path(Path::line(from, to));
         marks.push(mark(Role::BaseHatch, stroke, 0.0));
@@ -169,7 +184,7 @@ fn add_base(marks: &mut Vec<Mark>, nodes: &[PlanarNode], sizes: &Sizes) {
 fn bounds(problem: &Problem, marks: &[Mark]) -> Bounds {
     let length = problem.length();
     let everywhere = Bounds::EMPTY;
-    let of = |mark: &Mark| Bounds::of(mark.geometry.points(1e-3 * length, &everywhere));
+    let of = |mark: &Mark| Bounds::of(mark.geometry.points(COARSE * length, &everywhere));
     let robot = marks
         .iter()
         .filter(|mark| !matches!(mark.role, Role::Obstacle(_)))
@@ -281,7 +296,7 @@ fn labels(
                 let shown = clip_half_plane(*point, *normal, &bounds.corners());
                 Bounds::of(shown.area)
             }
-            geometry => Bounds::of(geometry.points(1e-4, &bounds)).within(bounds),
+            geometry => Bounds::of(geometry.points(NAMED, &bounds)).within(bounds),
         };
         if let Some(Some(name)) = notes.names.get(index)
             && !extent.is_empty()

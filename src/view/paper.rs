@@ -38,7 +38,8 @@ fn shapes(backbones: &[Backbone]) -> Chart {
 }
 
 fn multipliers(posts: &[PostMultipliers]) -> Chart {
-    // The paper counts nodes from 1, and the base's is left out.
+    // The paper counts nodes from 1, and the base has none. Its axis is in
+    // millionths, so that the ticks are short.
     let point = |(index, multiplier): (usize, &f64)| {
         let micro = per_millimetre(*multiplier) * 1e6;
         ((index + 2) as f64, micro + 0.0)

@@ -4,6 +4,13 @@
 use crate::geometry::{Core, Obstacle, Vector, perpendicular};
 use std::f64::consts::{PI, TAU};
 
+/// The least turn between points of an arc, rad, however fine it is asked for: at
+/// most some six thousand a circle.
+const LEAST_TURN: f64 = 1e-3;
+/// Ends this near, in metres, are one: the rounding of coordinates of some
+/// kilometres, and far below anything drawn.
+const CLOSED: f64 = 1e-12;
+
 /// A part of a path, from where the part before ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Piece {
@@ -67,7 +74,7 @@ impl Path {
                     let radius = from.norm();
                     // A chord that turns by α is r (1 − cos α/2) from its arc.
                     let most = 2.0 * libm::acos((1.0 - tolerance / radius).clamp(0.0, 1.0));
-                    let count = (sweep.abs() / most.max(1e-3)).ceil().max(1.0);
+                    let count = (sweep.abs() / most.max(LEAST_TURN)).ceil().max(1.0);
                     for i in 1..count as usize {
                         let (sine, cosine) = libm::sincos(sweep * i as f64 / count);
                         points.push(centre + cosine * from + sine * perpendicular(from));
@@ -78,7 +85,7 @@ impl Path {
         }
         if self.closed && points.len() > 1 {
             let last = points[points.len() - 1];
-            if (last - self.start).norm() < 1e-12 {
+            if (last - self.start).norm() < CLOSED {
                 points.pop();
             }
         }

@@ -6,7 +6,8 @@ use super::{MeasuredFault, MeasuredPoint};
 use crate::geometry::Vector;
 use crate::model::Problem;
 
-/// Points nearer to each other than this, over the length, are one.
+/// Points nearer to each other than this, over the length, are one: far below
+/// what any measurement tells apart, far above rounding.
 const SAME: f64 = 1e-9;
 /// A stride is this many times the noise, so that noise turns it by a few
 /// degrees.

@@ -12,13 +12,18 @@ use crate::view::{
 use svg::Node;
 use svg::node::element::{Circle, Element, Group, Path as PathElement, Text};
 
+/// Grid lines nearer than this, in pixels, are left out: they would be a grey.
+const TELLABLE: f64 = 4.0;
+/// A path this many times larger than the window is cut to it: single precision
+/// still places a path a few windows large to a thousandth of a pixel.
+const FAR_LARGER: f64 = 20.0;
+
 impl Writer<'_> {
     pub(super) fn grid(&mut self, frame: &Frame) -> PathElement {
         let shown = frame.shown();
         let step = self.drawing.grid;
         let mut data = String::new();
-        // No more lines than can be told apart.
-        let worthwhile = step * frame.scale >= 4.0;
+        let worthwhile = step * frame.scale >= TELLABLE;
         let between = |least: f64, most: f64| {
             let (first, last) = ((least / step).ceil(), (most / step).floor());
             let count = if worthwhile { last - first + 1.0 } else { 0.0 };
@@ -253,7 +258,7 @@ fn polygon(points: &[Vector], frame: &Frame) -> String {
 fn path_data(path: &Path, flattened: Vec<Vector>, frame: &Frame) -> String {
     let shown = frame.shown();
     let reach = Bounds::of(flattened.iter().copied()).size().max();
-    if path.closed && reach > 20.0 * shown.size().max() {
+    if path.closed && reach > FAR_LARGER * shown.size().max() {
         let window = shown.grown(8.0 / frame.scale);
         let sides = [
             (window.least, Vector::new(-1.0, 0.0)),
