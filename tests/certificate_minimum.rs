@@ -3,23 +3,15 @@
 //! on needles and slips off. The certificate, in the paper's coordinates, and
 //! a dense Hessian, by differences in the turns, see it at the same radius.
 
+mod turned;
+
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use sinew::equilibrium::{Certifier, Contact, Settings, Solution, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle};
 use sinew::model::{Problem, RowKind};
 use sinew::scene::Scene;
-use sinew::solver::{Control, Hessian, Point, RowId};
-
-type Planar = Point<Problem, 3, 1>;
-
-fn at(problem: &Problem, controls: &[Control<1>]) -> Planar {
-    let mut point = Planar {
-        controls: controls.to_vec(),
-        ..Planar::default()
-    };
-    point.evaluate(problem);
-    point
-}
+use sinew::solver::{Control, Hessian, RowId};
+use turned::at;
 
 /// The solver's row of a contact and its multiplier there.
 fn row(problem: &Problem, contact: &Contact) -> (RowId, f64) {

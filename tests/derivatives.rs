@@ -1,61 +1,17 @@
 //! Every derivative the solver uses, against finite differences and against a
 //! dense factorisation, on the robot's body among all shapes.
 
+mod crowded;
+mod turned;
+
+use crowded::{controls, crowded};
 use nalgebra::{DMatrix, DVector};
 use sinew::model::{Problem, RowKind};
-use sinew::scene::{Candidates, Scene, Shape};
+use sinew::scene::Scene;
 use sinew::solver::{
-    Chain, Control, Hessian, Outcome, Point, Riccati, RowId, Settings as SqpSettings, Source, Sqp,
+    Chain, Control, Hessian, Outcome, Riccati, RowId, Settings as SqpSettings, Source, Sqp,
 };
-
-type Planar = Point<Problem, 3, 1>;
-
-/// A robot amid shapes near enough that points, links, disks and limits all
-/// have rows.
-fn crowded() -> Problem {
-    let mut scene = Scene::default();
-    scene.robot.disk_radius_mm = Some(9.0);
-    scene.robot.disk_thickness_mm = 1.0;
-    scene.actuation.pull_mm = 4.0;
-    scene.contact.candidates = Candidates::Body;
-    let mut add = |shape: Shape| scene.obstacles.push(shape.into());
-    add(Shape::Disc {
-        center_mm: [33.0, 89.0],
-        radius_mm: 12.0,
-    });
-    add(Shape::Box {
-        center_mm: [-14.0, 60.0],
-        size_mm: [20.0, 8.0],
-        rotation_deg: 30.0,
-        corner_radius_mm: 1.0,
-    });
-    add(Shape::Capsule {
-        center_mm: [28.0, 130.0],
-        length_mm: 14.0,
-        radius_mm: 1.0,
-        rotation_deg: 10.0,
-    });
-    add(Shape::Wall {
-        point_mm: [70.0, 150.0],
-        rotation_deg: 170.0,
-        corner_radius_mm: 0.0,
-    });
-    Problem::new(&scene).unwrap()
-}
-
-fn controls() -> Vec<Control<1>> {
-    let turn = |i: usize| 0.15 * (1.7 * i as f64).sin() + if i % 9 == 3 { 1.3 } else { 0.0 };
-    (0..18).map(|i| Control::from_element(turn(i))).collect()
-}
-
-fn at(problem: &Problem, controls: &[Control<1>]) -> Planar {
-    let mut point = Planar {
-        controls: controls.to_vec(),
-        ..Planar::default()
-    };
-    point.evaluate(problem);
-    point
-}
+use turned::{Planar, at};
 
 fn nudged(controls: &[Control<1>], index: usize, by: f64) -> Vec<Control<1>> {
     let mut moved = controls.to_vec();
@@ -73,7 +29,7 @@ fn multiplier(id: RowId) -> f64 {
 #[test]
 fn rows_and_cost_have_exact_gradients() {
     let problem = crowded();
-    let controls = controls();
+    let controls = controls(&problem);
     let here = at(&problem, &controls);
     let h = 1e-6;
     let mut kinds = [0; 3];
@@ -167,7 +123,7 @@ fn steady_rows(problem: &Problem, controls: &[Control<1>]) -> Vec<RowId> {
 #[test]
 fn the_riccati_recursion_inverts_the_hessian() {
     let problem = crowded();
-    let controls = controls();
+    let controls = controls(&problem);
     let kept = steady_rows(&problem, &controls);
     let point = at(&problem, &controls);
     let multipliers = multipliers(&point, &kept);
@@ -205,7 +161,7 @@ fn the_riccati_recursion_inverts_the_hessian() {
 #[test]
 fn stiffening_adds_the_outer_product_of_the_gradient() {
     let problem = crowded();
-    let controls = controls();
+    let controls = controls(&problem);
     let point = at(&problem, &controls);
     let none = vec![0.0; point.rows.len()];
     for (index, row) in point.rows.iter().enumerate() {
@@ -232,7 +188,7 @@ fn stiffening_adds_the_outer_product_of_the_gradient() {
 #[test]
 fn a_pivot_that_is_not_positive_is_found_where_it_is() {
     let problem = crowded();
-    let point = at(&problem, &controls());
+    let point = at(&problem, &controls(&problem));
     let none = vec![0.0; point.rows.len()];
     let mut hessian = Hessian::default();
     hessian.gradient(&point, &none);

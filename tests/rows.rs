@@ -1,57 +1,12 @@
 //! The rows of obstacles and limits, each by itself: its name, whether it is
 //! there, and its derivatives in the states of its nodes against differences.
 
+mod crowded;
+
+use crowded::{controls, crowded};
 use sinew::geometry::Vector;
 use sinew::model::{Element, PlanarNode, Problem, RowKind};
-use sinew::scene::{Candidates, Scene, Shape};
 use sinew::solver::{Chain, Control, Row, RowId};
-
-/// A robot's body amid shapes so near that points, links and disks have rows.
-fn crowded() -> Problem {
-    let mut scene = Scene::default();
-    scene.robot.disk_radius_mm = Some(14.0);
-    scene.robot.disk_thickness_mm = 1.0;
-    scene.robot.cable_diameter_mm = 0.6;
-    scene.actuation.pull_mm = 4.0;
-    scene.contact.candidates = Candidates::Body;
-    let mut add = |shape: Shape| scene.obstacles.push(shape.into());
-    add(Shape::Disc {
-        center_mm: [27.0, 89.0],
-        radius_mm: 6.0,
-    });
-    add(Shape::Box {
-        center_mm: [-16.0, 62.0],
-        size_mm: [20.0, 8.0],
-        rotation_deg: 30.0,
-        corner_radius_mm: 1.0,
-    });
-    add(Shape::Capsule {
-        center_mm: [24.0, 124.0],
-        length_mm: 14.0,
-        radius_mm: 1.0,
-        rotation_deg: 10.0,
-    });
-    add(Shape::Disc {
-        center_mm: [16.0, 144.0],
-        radius_mm: 0.5,
-    });
-    add(Shape::Wall {
-        point_mm: [60.0, 150.0],
-        rotation_deg: 170.0,
-        corner_radius_mm: 0.0,
-    });
-    Problem::new(&scene).unwrap()
-}
-
-fn controls(problem: &Problem) -> Vec<Control<1>> {
-    let turn = |i: usize| match i % 9 {
-        3 => 1.3,
-        7 => -1.4,
-        _ => 0.15 * (1.7 * i as f64).sin(),
-    };
-    let turns = (0..problem.stages()).map(turn);
-    turns.map(Control::from_element).collect()
-}
 
 fn nodes(problem: &Problem, controls: &[Control<1>]) -> Vec<PlanarNode> {
     let mut nodes = vec![problem.base()];
