@@ -8,8 +8,8 @@
 //! (1 − t) ρ_a² + t ρ_b² − t (1 − t) δ²
 //! ```
 //!
-//! with ρ the RMS distances of both: exactly that where points know their
-//! nodes. Less how far the branch bows out from the straight way, the least of
+//! with ρ the RMS distances of both (Stewart's theorem): exactly that where
+//! points know their nodes. Less how far the branch bows out from the straight way, the least of
 //! it bounds what may be found between them. Pieces whose bound is below the
 //! best distance known are halved, the lowest first, until there are none. Each
 //! is solved from its near end, so that every shape is one that the robot comes

@@ -121,11 +121,11 @@ pub struct Check {
     pub quantity: String,
     /// Its unit; empty for a pure number.
     pub unit: &'static str,
-    /// The paper's value, where the text gives one.
+    /// The paper's value, in `unit`, where the text gives one.
     pub paper: Option<f64>,
     /// What is left out before the paper's value: `<` for a bound.
     pub relation: &'static str,
-    /// Ours, where it can be computed.
+    /// Ours, in `unit`, where it can be computed.
     pub ours: Option<f64>,
     /// Decimals that mean something.
     pub decimals: usize,
@@ -201,7 +201,7 @@ impl Check {
         Self { decimals, ..self }
     }
 
-    /// Ours less the paper's, where there are both and the paper's is no bound.
+    /// Ours less the paper's, in `unit`, where there are both and the paper's is no bound.
     pub fn difference(&self) -> Option<f64> {
         match (self.paper, self.ours, self.relation) {
             (Some(paper), Some(ours), "") => Some(ours - paper),

@@ -9,9 +9,9 @@ use crate::units::millimetres;
 /// A range of pulls, in metres, at both ends of which something holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PullWindow {
-    /// The least pull.
+    /// The least pull, in metres.
     pub first: f64,
-    /// The greatest pull.
+    /// The greatest pull, in metres.
     pub last: f64,
 }
 

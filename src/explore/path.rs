@@ -160,7 +160,8 @@ impl Path {
         self.states.chunk_by(|a, b| a.branch == b.branch)
     }
 
-    /// The pulls that have states, ends included; `None` without states.
+    /// The least and the greatest pull that have states, in metres; `None` without
+    /// states.
     pub fn range(&self) -> Option<(f64, f64)> {
         Some((self.states.first()?.pull, self.states.last()?.pull))
     }

@@ -81,7 +81,7 @@ impl LineFit {
         })
     }
 
-    /// The line's y at x.
+    /// The line's y at x, each in its unit.
     pub fn at(&self, x: f64) -> f64 {
         self.intercept + self.slope * x
     }

@@ -130,7 +130,7 @@ impl Statics {
     }
 }
 
-/// F/T of a contact, which needs no stiffness; `None` where the cable carries
+/// F/T of a contact, a pure number, which needs no stiffness; `None` where the cable carries
 /// no tension.
 pub fn share_of_tension(solution: &Solution, contact: &Contact) -> Option<f64> {
     let slope = solution.certificate.energy_slope;

@@ -9,9 +9,9 @@ use crate::units::millimetres;
 pub struct SweepPoint {
     /// The pull, in metres.
     pub pull: f64,
-    /// The node's backbone point, in metres.
+    /// The x of the node's backbone point, in metres.
     pub x: f64,
-    /// See `x`.
+    /// The same point's y, in metres.
     pub y: f64,
     /// φ, the direction of its disk, in radians, counterclockwise: it falls as
     /// the robot bends.
@@ -147,7 +147,8 @@ impl Sweep {
         }
     }
 
-    /// `count` pulls from `first` to `last`, both included; at least two.
+    /// `count` pulls from `first` to `last`, both included and in metres; at least
+    /// two.
     pub fn pulls(first: f64, last: f64, count: usize) -> Vec<f64> {
         let steps = count.max(2) - 1;
         (0..=steps)

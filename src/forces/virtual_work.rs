@@ -32,9 +32,9 @@ use crate::units::{grams, millimetres};
 /// A range of pulls, in metres, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
-    /// The least pull.
+    /// The least pull, in metres.
     pub first: f64,
-    /// The greatest pull.
+    /// The greatest pull, in metres.
     pub last: f64,
 }
 
@@ -69,9 +69,9 @@ pub enum Touch {
 /// A force on an obstacle, in N, by components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PressingForce {
-    /// P_x.
+    /// P_x, in N, towards the cable's side of the straight robot.
     pub x: f64,
-    /// P_y = μ P_x.
+    /// P_y = μ P_x, in N, along the straight robot.
     pub y: f64,
 }
 

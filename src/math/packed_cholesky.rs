@@ -3,7 +3,8 @@
 //! It serves the active set, where one contact comes or goes at a time:
 //! appending and removing cost O(m²) where a new factorisation costs O(m³),
 //! and nothing is allocated once the storage has grown to its largest size.
-//! It is not a general dense factorisation.
+//! It is not a general dense factorisation. The updates are those of Golub and
+//! Van Loan (2013), Matrix Computations, section 6.5.
 
 /// The lower factor L of a symmetric positive definite matrix A = L Lᵀ,
 /// stored row after row.
@@ -36,7 +37,10 @@ impl PackedCholesky {
     /// `column` are the entries of A against the rows present, `diagonal` the
     /// new diagonal entry. Where the pivot's square does not exceed
     /// `least_pivot` the row depends on those present: nothing is changed and
-    /// the pivot's square is returned as `Err`.
+    /// the pivot's square is returned as `Err`. All in A's unit.
+    ///
+    /// # Panics
+    /// If `column` has not one entry for each row: a bug of the caller.
     pub fn append(&mut self, column: &[f64], diagonal: f64, least_pivot: f64) -> Result<f64, f64> {
         assert_eq!(column.len(), self.size, "one entry a row present");
         let begin = self.rows.len();
@@ -53,7 +57,10 @@ impl PackedCholesky {
         }
     }
 
-    /// Removes row and column `index` of A by Givens rotations.
+    /// Removes row and column `index` of A, from 0, by Givens rotations.
+    ///
+    /// # Panics
+    /// If there is no such row: a bug of the caller.
     pub fn remove(&mut self, index: usize) {
         assert!(index < self.size, "row {index} of {}", self.size);
         // Below the removed row every row is one entry too long; rotating
@@ -80,7 +87,10 @@ impl PackedCholesky {
         self.size -= 1;
     }
 
-    /// Replaces `x` by A⁻¹ x.
+    /// Replaces `x` by A⁻¹ x, one entry a row.
+    ///
+    /// # Panics
+    /// If `x` is of another length: a bug of the caller.
     pub fn solve(&self, x: &mut [f64]) {
         assert_eq!(x.len(), self.size, "one entry a row");
         for i in 0..self.size {

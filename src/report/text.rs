@@ -22,7 +22,8 @@ fn ems(c: char) -> f64 {
     }
 }
 
-/// The text in lines no wider than `limit`, broken at spaces; a longer word
+/// The text in lines no wider than `limit` at a size, both in pixels, broken at
+/// spaces; a longer word
 /// has a line of its own. Never empty.
 pub fn lines(text: &str, size: f64, limit: f64) -> Vec<String> {
     let mut lines = vec![String::new()];
@@ -40,7 +41,7 @@ pub fn lines(text: &str, size: f64, limit: f64) -> Vec<String> {
     lines
 }
 
-/// The text cut to a width, with an ellipsis where something is missing.
+/// The text cut to a width in pixels, with an ellipsis where something is missing.
 pub fn cut(text: &str, size: f64, limit: f64) -> String {
     if width(text, size) <= limit {
         return text.to_owned();

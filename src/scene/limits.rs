@@ -9,9 +9,9 @@ use std::fmt;
 /// A closed range of numbers and their unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// The least value allowed.
+    /// The least value allowed, in `unit`.
     pub min: f64,
-    /// The greatest value allowed.
+    /// The greatest value allowed, in `unit`.
     pub max: f64,
     /// What the numbers count.
     pub unit: Unit,

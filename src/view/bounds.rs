@@ -1,13 +1,13 @@
-//! An axis-aligned box in the world, in metres.
+//! An axis-aligned box: of the world, in metres, or of the screen, in pixels.
 
 use crate::geometry::Vector;
 
 /// A box that holds points; empty until it holds one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// The lower left corner.
+    /// The corner of least x and y.
     pub least: Vector,
-    /// The upper right corner.
+    /// The corner of greatest x and y.
     pub most: Vector,
 }
 
@@ -51,7 +51,7 @@ impl Bounds {
         }
     }
 
-    /// The box with `by` more on each side.
+    /// The box with `by` more on each side, in its unit.
     pub fn grown(self, by: f64) -> Self {
         let by = Vector::new(by, by);
         Self {
@@ -60,7 +60,7 @@ impl Bounds {
         }
     }
 
-    /// Width and height; negative where the box is empty.
+    /// Width and height, in its unit; negative where the box is empty.
     pub fn size(&self) -> Vector {
         self.most - self.least
     }

@@ -136,8 +136,8 @@ pub enum Geometry {
 }
 
 impl Geometry {
-    /// Points whose convex hull holds the geometry, arcs to within
-    /// `tolerance`; of a half-plane what `window` shows.
+    /// Points, in metres, whose convex hull holds the geometry, arcs to within
+    /// `tolerance`, > 0 and in metres; of a half-plane what `window` shows.
     pub fn points(&self, tolerance: f64, window: &Bounds) -> Vec<Vector> {
         match self {
             Geometry::Path(path) => path.flattened(tolerance),

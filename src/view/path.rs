@@ -178,15 +178,16 @@ fn grown(vertices: &[Vector], radius: f64) -> Path {
 /// What a window shows of a half-plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clipped {
-    /// The solid area inside the window, counterclockwise; empty where the
+    /// The solid area inside the window, counterclockwise, in metres; empty where the
     /// window shows nothing of it.
     pub area: Vec<Vector>,
-    /// The surface inside the window.
+    /// The surface inside the window, in metres.
     pub surface: Option<[Vector; 2]>,
 }
 
 /// What a convex window, given by its corners in order, shows of the
-/// half-plane behind a line.
+/// half-plane behind the line through a point across a unit normal, which points
+/// to its free side.
 pub fn clip_half_plane(point: Vector, normal: Vector, window: &[Vector]) -> Clipped {
     let height = |corner: Vector| normal.dot(&(corner - point));
     let mut area = Vec::new();

@@ -147,7 +147,8 @@ const DARK: Palette = Palette {
     greyed: Colour::hex(0x5b606a),
 };
 
-/// How a mark looks. A width of 0 is no line.
+/// How a mark looks; widths and radii in points of the screen. A width of 0 is no
+/// line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
     /// What areas, dots and arrows are filled with.

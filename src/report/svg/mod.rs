@@ -31,7 +31,7 @@ pub struct Size {
 }
 
 impl Size {
-    /// The least and greatest sides a picture may have; others are brought
+    /// The least and greatest sides a picture may have, in pixels; others are brought
     /// to these.
     pub const RANGE: (f64, f64) = (200.0, 16_384.0);
 
