@@ -33,6 +33,7 @@ use crate::solver::{
     Chain, Control, Outcome, Progress as SolveProgress, RowId, Settings as SolveSettings, Sqp,
     Tunnelling,
 };
+use follow::farthest;
 use frame::at_base;
 
 /// What a run starts from.
@@ -490,12 +491,4 @@ fn reordered(now: &Problem, then: &Problem) -> bool {
     let moved = |(a, b): &(&Obstacle, &Obstacle)| !stands(a, b);
     let mut moving = pairs.clone().filter(moved);
     moving.any(|(_, b)| now.obstacles().iter().any(|a| stands(a, b)))
-}
-
-/// The greatest difference between two sets of controls.
-fn farthest(a: &[Control<1>], b: &[Control<1>]) -> f64 {
-    a.iter()
-        .zip(b)
-        .map(|(a, b)| (a - b).amax())
-        .fold(0.0, f64::max)
 }

@@ -8,9 +8,9 @@
 //! tangent there leads on along the other branch, not back to the anchor. So a
 //! step is judged from both ends.
 
-use super::{Run, UNNOTICED, farthest};
+use super::{Run, UNNOTICED};
 use crate::model::RowKind;
-use crate::solver::{Settings, Tunnelling};
+use crate::solver::{Control, Settings, Tunnelling};
 
 /// A step that moves no part of a disk farther than this, over the backbone's
 /// length, follows the branch: it is none that anybody would call a jump: at 180 mm, 0.02 mm. A robot that is
@@ -115,4 +115,12 @@ impl Run {
         self.pressing
             .extend(pressing.map(|(row, multiplier)| (row.id, *multiplier)));
     }
+}
+
+/// The greatest difference between two sets of controls.
+pub(super) fn farthest(a: &[Control<1>], b: &[Control<1>]) -> f64 {
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).amax())
+        .fold(0.0, f64::max)
 }
