@@ -273,12 +273,20 @@ fn a_rim_that_turns_into_a_needle_does_not_pass_it() {
     let tip = turned.last_mut().unwrap();
     tip.angle = -0.4;
     tip.disk = Vector::new(tip.angle.cos(), tip.angle.sin());
-    assert!(problem.motion_passes(&problem, &nodes, &turned));
+    assert!(
+        problem
+            .around()
+            .motion_passes(problem.around(), &nodes, &turned)
+    );
     assert!(problem.passes_through(&nodes, &turned));
     assert!(!problem.passes_through(&turned, &turned));
-    assert!(!problem.motion_passes(&problem, &nodes, &nodes));
+    assert!(
+        !problem
+            .around()
+            .motion_passes(problem.around(), &nodes, &nodes)
+    );
     let away = Problem::new(&body(&[disc(12.0, 150.5, 0.01)])).unwrap();
-    assert!(!away.motion_passes(&away, &nodes, &turned));
+    assert!(!away.around().motion_passes(away.around(), &nodes, &turned));
 }
 
 /// Every pair of a candidate and an obstacle once, with the force between them.

@@ -43,7 +43,7 @@ impl Run {
         let predicted = farthest(&self.started, &self.predicted);
         let rest = farthest(&self.predicted, end);
         let (from, to) = (&self.anchor.nodes, &self.sqp.point().nodes);
-        let seen = self.now.greatest_motion(from, to) > UNSEEN * self.now.length();
+        let seen = self.now.around().greatest_motion(from, to) > UNSEEN * self.now.length();
         if turned <= UNNOTICED || !seen {
             return true;
         }
@@ -81,7 +81,9 @@ impl Run {
             if touches { SLIDE } else { 1.0 }
         };
         let (from, to) = (&self.anchor.nodes, &self.sqp.point().nodes);
-        self.here.motion_dips(&self.now, from, to, most_turn)
+        self.here
+            .around()
+            .motion_dips(self.now.around(), from, to, most_turn)
     }
 
     /// Whether the tangent at the step's end, drawn back over the whole step,

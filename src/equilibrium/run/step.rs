@@ -40,7 +40,8 @@ impl Run {
         // and so has the robot, by the change of the pull at the same turns.
         self.here.set_between(&self.from, &self.to, self.at);
         let (before, after) = (&self.anchor.nodes, &self.sqp.point().nodes);
-        if before.len() == after.len() && self.here.motion_passes(&self.now, before, after) {
+        let (here, now) = (self.here.around(), self.now.around());
+        if before.len() == after.len() && here.motion_passes(now, before, after) {
             self.shorten(EndReason::Blocked, NARROWEST * self.least_step);
             return;
         }

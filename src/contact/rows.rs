@@ -6,12 +6,12 @@
 //! example is a squared distance: that would scale the multipliers by twice
 //! the radius.
 
-use super::candidate::{Candidate, DiskPoint, Element};
-use super::node::PlanarNode;
-use super::problem::Problem;
+use super::disk_point::DiskPoint;
+use super::surroundings::Surroundings;
 use crate::geometry::{EdgeClearance, Vector};
+use crate::robot::{Candidate, Element, PlanarNode};
 use crate::solver::{Control, Row, RowCurvature, RowId, State};
-use nalgebra::{SMatrix, vector};
+use nalgebra::SMatrix;
 
 /// What a row is about; the meaning of its id.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,11 +25,11 @@ pub enum RowKind {
         /// The obstacle's vertex on an edge's inside; `None` for a point.
         vertex: Option<usize>,
     },
-    /// The bound |τ| ≤ [`super::FourBar::most_turn`] of a segment.
+    /// A bound of a segment's turn, which the mechanics sets.
     TurnLimit {
         /// The segment, from 1.
         segment: usize,
-        /// +1 or −1: the sign of τ at the bound.
+        /// +1 or −1: the sign of the turn at the bound.
         sign: i8,
     },
 }
@@ -75,20 +75,120 @@ impl RowKind {
     }
 }
 
-/// Adds the rows of one candidate that are nearer than `margin`.
-pub(super) fn contact_rows(
-    problem: &Problem,
+/// How near a candidate has a row, over the backbone's length. One farther away
+/// is met after any one iteration that the line search accepts, or is seen in the
+/// next.
+const MARGIN: f64 = 0.05;
+
+impl Surroundings {
+    /// Adds the rows of all candidates that are near an obstacle, by their ids.
+    pub fn add_rows<const NU: usize>(&self, nodes: &[PlanarNode], rows: &mut Vec<Row<3, NU>>) {
+        for candidate in 0..self.candidates.len() {
+            add_rows_of(self, candidate, nodes, rows);
+        }
+    }
+
+    /// The second derivative of a row that [`Surroundings::add_rows`] gave for
+    /// the same nodes; none for a limit's.
+    pub fn row_curvature<const NU: usize>(
+        &self,
+        row: &Row<3, NU>,
+        nodes: &[PlanarNode],
+    ) -> RowCurvature<3> {
+        let none = RowCurvature {
+            after: SMatrix::zeros(),
+            before: None,
+        };
+        let RowKind::Contact {
+            candidate,
+            obstacle,
+            vertex,
+        } = RowKind::of(row.id, self.obstacles.len())
+        else {
+            return none;
+        };
+        let candidate = &self.candidates[candidate];
+        let obstacle = &self.obstacles[obstacle];
+        if let Element::Point { lever } = candidate.element {
+            let point = DiskPoint {
+                node: &nodes[candidate.node],
+                lever,
+            };
+            let Some(clearance) = candidate.point_clearance(nodes, obstacle) else {
+                return none;
+            };
+            let tangent = crate::geometry::perpendicular(clearance.normal);
+            let along: State<3> = point.gradient(tangent);
+            let mut after = clearance.curvature * along * along.transpose();
+            after[(2, 2)] += point.curvature(clearance.normal);
+            return RowCurvature {
+                after,
+                before: None,
+            };
+        }
+        let [first, last] = edge_points(candidate, nodes);
+        let edge = candidate.edge(nodes);
+        let Some(clearance) = vertex.and_then(|v| obstacle.edge_clearance(&edge, v)) else {
+            return none;
+        };
+        // The distance's quadratic form in the two ends, polarised on the
+        // displacements that unit changes of the six state components cause.
+        let still = Vector::zeros();
+        let ends = |i: usize| {
+            if i < 3 {
+                (first.displacement(i), still)
+            } else {
+                (still, last.displacement(i - 3))
+            }
+        };
+        let form = |a: (Vector, Vector)| {
+            clearance.second_derivative(edge.end - edge.start, obstacle.radius(), a.0, a.1)
+        };
+        let mut full = SMatrix::<f64, 6, 6>::zeros();
+        for i in 0..6 {
+            full[(i, i)] = form(ends(i));
+        }
+        for i in 0..6 {
+            for j in 0..i {
+                let (a, b) = (ends(i), ends(j));
+                let mixed = 0.5 * (form((a.0 + b.0, a.1 + b.1)) - full[(i, i)] - full[(j, j)]);
+                full[(i, j)] = mixed;
+                full[(j, i)] = mixed;
+            }
+        }
+        full[(2, 2)] += first.curvature((1.0 - clearance.along) * clearance.normal);
+        full[(5, 5)] += last.curvature(clearance.along * clearance.normal);
+        let lower = full.fixed_view::<3, 3>(0, 0).into_owned();
+        let upper = full.fixed_view::<3, 3>(3, 3).into_owned();
+        let across = full.fixed_view::<3, 3>(0, 3).into_owned();
+        if row.before.is_some() {
+            RowCurvature {
+                after: upper,
+                before: Some((lower, across)),
+            }
+        } else {
+            RowCurvature {
+                after: lower + upper + across + across.transpose(),
+                before: None,
+            }
+        }
+    }
+}
+
+/// Adds the rows of one candidate.
+fn add_rows_of<const NU: usize>(
+    around: &Surroundings,
     index: usize,
     nodes: &[PlanarNode],
-    margin: f64,
-    rows: &mut Vec<Row<3, 1>>,
+    rows: &mut Vec<Row<3, NU>>,
 ) {
-    let candidate = &problem.candidates()[index];
+    let margin = MARGIN * around.length;
+    let candidate = &around.candidates[index];
     let near = margin + candidate.radius;
     let (start, end) = candidate.ends(nodes);
     let mut edge = None;
-    let count = problem.obstacles().len();
-    for (obstacle_index, obstacle) in problem.obstacles().iter().enumerate() {
+    let count = around.obstacles.len();
+    for (obstacle_index, obstacle) in around.obstacles.iter().enumerate() {
         let id = |vertex| {
             let kind = RowKind::Contact {
                 candidate: index,
@@ -136,12 +236,12 @@ pub(super) fn contact_rows(
 }
 
 /// The row of an edge's inside on a vertex.
-fn edge_row(
+fn edge_row<const NU: usize>(
     candidate: &Candidate,
     id: RowId,
     nodes: &[PlanarNode],
     clearance: EdgeClearance,
-) -> Row<3, 1> {
+) -> Row<3, NU> {
     let [first, last] = edge_points(candidate, nodes);
     let first = first.gradient((1.0 - clearance.along) * clearance.normal);
     let last = last.gradient(clearance.along * clearance.normal);
@@ -172,117 +272,5 @@ fn edge_points<'a>(candidate: &Candidate, nodes: &'a [PlanarNode]) -> [DiskPoint
             },
             DiskPoint { node, lever },
         ],
-    }
-}
-
-/// The second derivative of a contact row.
-pub(super) fn contact_curvature(
-    problem: &Problem,
-    row: &Row<3, 1>,
-    nodes: &[PlanarNode],
-) -> RowCurvature<3> {
-    let none = RowCurvature {
-        after: SMatrix::zeros(),
-        before: None,
-    };
-    let RowKind::Contact {
-        candidate,
-        obstacle,
-        vertex,
-    } = RowKind::of(row.id, problem.obstacles().len())
-    else {
-        return none;
-    };
-    let candidate = &problem.candidates()[candidate];
-    let obstacle = &problem.obstacles()[obstacle];
-    if let Element::Point { lever } = candidate.element {
-        let point = DiskPoint {
-            node: &nodes[candidate.node],
-            lever,
-        };
-        let Some(clearance) = candidate.point_clearance(nodes, obstacle) else {
-            return none;
-        };
-        let tangent = crate::geometry::perpendicular(clearance.normal);
-        let along: State<3> = point.gradient(tangent);
-        let mut after = clearance.curvature * along * along.transpose();
-        after[(2, 2)] += point.curvature(clearance.normal);
-        return RowCurvature {
-            after,
-            before: None,
-        };
-    }
-    let [first, last] = edge_points(candidate, nodes);
-    let edge = candidate.edge(nodes);
-    let Some(clearance) = vertex.and_then(|v| obstacle.edge_clearance(&edge, v)) else {
-        return none;
-    };
-    // The distance's quadratic form in the two ends, polarised on the
-    // displacements that unit changes of the six state components cause.
-    let still = Vector::zeros();
-    let ends = |i: usize| {
-        if i < 3 {
-            (first.displacement(i), still)
-        } else {
-            (still, last.displacement(i - 3))
-        }
-    };
-    let form = |a: (Vector, Vector)| {
-        clearance.second_derivative(edge.end - edge.start, obstacle.radius(), a.0, a.1)
-    };
-    let mut full = SMatrix::<f64, 6, 6>::zeros();
-    for i in 0..6 {
-        full[(i, i)] = form(ends(i));
-    }
-    for i in 0..6 {
-        for j in 0..i {
-            let (a, b) = (ends(i), ends(j));
-            let mixed = 0.5 * (form((a.0 + b.0, a.1 + b.1)) - full[(i, i)] - full[(j, j)]);
-            full[(i, j)] = mixed;
-            full[(j, i)] = mixed;
-        }
-    }
-    full[(2, 2)] += first.curvature((1.0 - clearance.along) * clearance.normal);
-    full[(5, 5)] += last.curvature(clearance.along * clearance.normal);
-    let lower = full.fixed_view::<3, 3>(0, 0).into_owned();
-    let upper = full.fixed_view::<3, 3>(3, 3).into_owned();
-    let across = full.fixed_view::<3, 3>(0, 3).into_owned();
-    if row.before.is_some() {
-        RowCurvature {
-            after: upper,
-            before: Some((lower, across)),
-        }
-    } else {
-        RowCurvature {
-            after: lower + upper + across + across.transpose(),
-            before: None,
-        }
-    }
-}
-
-/// Adds the rows of |τ| ≤ bound for the segments within reach of it.
-pub(super) fn limit_rows(
-    problem: &Problem,
-    controls: &[Control<1>],
-    reach: f64,
-    rows: &mut Vec<Row<3, 1>>,
-) {
-    let most_turn = problem.segment().most_turn();
-    for (index, control) in controls.iter().enumerate() {
-        let turn = control[0];
-        if turn.abs() + reach > most_turn {
-            let sign = if turn > 0.0 { 1 } else { -1 };
-            let segment = index + 1;
-            let kind = RowKind::TurnLimit { segment, sign };
-            rows.push(Row {
-                id: kind.id(problem.obstacles().len()),
-                stage: segment,
-                // In the unit of the other rows, and of their size.
-                value: (most_turn - turn.abs()) * problem.length(),
-                before: None,
-                after: State::zeros(),
-                control: vector![-f64::from(sign) * problem.length()],
-            });
-        }
     }
 }

@@ -2,7 +2,7 @@
 //! tables by disk. Every message that names a part takes it from here.
 
 use super::candidate::Line;
-use super::robot::Robot;
+use super::dimensions::Robot;
 
 impl Line {
     /// The line's name in files and reports.
@@ -63,15 +63,14 @@ pub fn part_name(robot: &Robot, line: Line, node: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Problem;
-    use crate::scene::Scene;
+    use crate::scene;
 
     /// Two segments a bay, as the paper's.
     #[test]
     fn parts_are_named_by_their_disks_as_the_paper_counts_them() {
-        let problem = Problem::new(&Scene::default()).unwrap();
+        let robot = Robot::of(&scene::Robot::default());
         let check = |line, node, expected: &str| {
-            assert_eq!(part_name(problem.robot(), line, node), expected);
+            assert_eq!(part_name(&robot, line, node), expected);
         };
         check(Line::Cable, 10, "disk 6, cable side");
         check(Line::Cable, 16, "disk 9, cable side");

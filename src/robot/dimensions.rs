@@ -1,6 +1,5 @@
 //! The robot's dimensions. Nothing of its shape, nor of what is around it.
 
-use super::four_bar::FourBar;
 use super::node::PlanarNode;
 use super::sizes::Sizes;
 use serde::{Deserialize, Serialize};
@@ -44,12 +43,5 @@ impl Robot {
     pub fn moves_like(&self, other: &Self) -> bool {
         let sizes = self.sizes;
         *self == Self { sizes, ..*other }
-    }
-
-    /// The pulls for which a linkage exists, in metres, ends included.
-    pub fn pull_range(&self) -> (f64, f64) {
-        let n = self.segments as f64;
-        let (least, most) = FourBar::shortening_range(self.length / n, self.offset);
-        (n * least, n * most)
     }
 }

@@ -1,13 +1,10 @@
 //! From a scene, in the file's units, to a problem that cannot be wrong.
 
-use super::candidate::{Candidate, Element, Joins, Line};
-use super::node::PlanarNode;
 use super::problem::Problem;
-use super::robot::Robot;
-use super::sizes::Sizes;
-use crate::geometry::{Core, Edge, Obstacle, Vector};
-use crate::scene::{self, Candidates, Scene, SceneError, Shape, limits::shown};
-use crate::units::{metres, millimetres, radians};
+use crate::contact::{covers_base, obstacle};
+use crate::robot::Robot;
+use crate::scene::{self, Scene, SceneError, limits::shown};
+use crate::units::{metres, millimetres};
 
 impl Problem {
     /// The problem a scene describes.
@@ -37,8 +34,8 @@ impl Problem {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let robot = robot(&scene.robot);
-        let candidates = candidates(scene, &robot);
+        let robot = Robot::of(&scene.robot);
+        let candidates = robot.candidates(&scene.contact);
         let mut faults = Vec::new();
         let pull = metres(scene.actuation.pull_mm);
         let (least, most) = robot.pull_range();
@@ -58,7 +55,7 @@ impl Problem {
         for (index, described) in scene.obstacles.iter().enumerate() {
             match obstacle(&described.shape) {
                 Some(obstacle) => {
-                    if covers_base(&robot, scene, &obstacle) {
+                    if covers_base(&robot, &scene.contact, &obstacle) {
                         faults.push(over_base(index, described));
                     }
                     obstacles.push(obstacle);
@@ -92,132 +89,11 @@ fn over_base(index: usize, obstacle: &scene::Obstacle) -> SceneError {
     }
 }
 
-fn robot(described: &scene::Robot) -> Robot {
-    let angle = radians(described.base_angle_deg);
-    Robot {
-        length: metres(described.length_mm),
-        segments: described.segments as usize,
-        segments_per_bay: described.segments_per_bay as usize,
-        offset: metres(described.cable_offset_mm),
-        sizes: Sizes::of(described),
-        base: PlanarNode {
-            position: point(described.base_mm),
-            disk: Vector::new(libm::cos(angle), libm::sin(angle)),
-            angle,
-        },
-    }
-}
-
-/// A point from the file's millimetres.
-fn point([x, y]: [f64; 2]) -> Vector {
-    Vector::new(metres(x), metres(y))
-}
-
-/// The obstacle of a shape. `None` for a polygon without area.
-pub(super) fn obstacle(shape: &Shape) -> Option<Obstacle> {
-    let position = point(shape.anchor_mm());
-    let angle = radians(shape.rotation_deg());
-    let (core, radius_mm) = match shape {
-        Shape::Disc { radius_mm, .. } => (Core::Point, *radius_mm),
-        Shape::Wall {
-            corner_radius_mm, ..
-        } => (Core::HalfPlane, *corner_radius_mm),
-        Shape::Box {
-            size_mm,
-            corner_radius_mm,
-            ..
-        } => (rounded_box(*size_mm, *corner_radius_mm), *corner_radius_mm),
-        Shape::Capsule {
-            length_mm,
-            radius_mm,
-            ..
-        } => (Core::segment(metres(*length_mm)), *radius_mm),
-        Shape::Polygon {
-            points_mm,
-            corner_radius_mm,
-            ..
-        } => {
-            let local: Vec<Vector> = points_mm.iter().map(|p| point(*p) - position).collect();
-            (Core::polygon(&local)?, *corner_radius_mm)
-        }
-    };
-    Some(Obstacle::new(core, metres(radius_mm), position, angle))
-}
-
-/// What is left of a box inside its rounded corners: a smaller box, or a
-/// segment or a point where the corners take the whole width.
-fn rounded_box(size_mm: [f64; 2], corner_radius_mm: f64) -> Core {
-    let [width, height] = size_mm.map(|side| metres(side - 2.0 * corner_radius_mm).max(0.0));
-    match (width > 0.0, height > 0.0) {
-        (true, true) => Core::rectangle(width, height),
-        (true, false) => Core::segment(width),
-        (false, true) => {
-            let end = Vector::new(0.0, 0.5 * height);
-            Core::Vertices(vec![-end, end])
-        }
-        (false, false) => Core::Point,
-    }
-}
-
-fn candidates(scene: &Scene, robot: &Robot) -> Vec<Candidate> {
-    let nodes = 1..=robot.segments;
-    let cable = robot.offset;
-    let at = |line, node, lever| Candidate {
-        line,
-        node,
-        element: Element::Point { lever },
-        radius: 0.0,
-        joins: Joins::Nothing,
-    };
-    match scene.contact.candidates {
-        Candidates::Nodes => nodes
-            .flat_map(|i| [at(Line::Backbone, i, 0.0), at(Line::Cable, i, cable)])
-            .collect(),
-        Candidates::Listed => {
-            let listed = scene.contact.listed.iter().map(|listed| {
-                let node = listed.node as usize;
-                match listed.line {
-                    scene::Line::Backbone => at(Line::Backbone, node, 0.0),
-                    scene::Line::Cable => at(Line::Cable, node, cable),
-                }
-            });
-            listed.collect()
-        }
-        Candidates::Body => nodes.flat_map(|node| robot.parts(node)).collect(),
-    }
-}
-
-/// Whether the obstacle overlaps what cannot move, the first disk, by more
-/// than touching it. Listed nodes never include it.
-fn covers_base(robot: &Robot, scene: &Scene, obstacle: &Obstacle) -> bool {
-    let base = robot.base;
-    let (start, end, thickness) = match scene.contact.candidates {
-        Candidates::Listed => return false,
-        Candidates::Nodes => (base.position, base.at(robot.offset), 0.0),
-        Candidates::Body => {
-            let Sizes { rim, disk, .. } = robot.sizes;
-            (base.at(-rim), base.at(rim), 0.5 * disk)
-        }
-    };
-    let touching = robot.touching();
-    let least = thickness - touching;
-    let mut covered = [start, end]
-        .iter()
-        .any(|point| obstacle.clearance(*point).distance < least);
-    if scene.contact.candidates == Candidates::Body {
-        let depth = obstacle.crossing_depth(start, end);
-        covered |= depth.is_some_and(|depth| depth - obstacle.radius() > touching);
-        obstacle.edge_clearances(&Edge::alone(start, end), |clearance| {
-            covered |= clearance.distance < least;
-        });
-    }
-    covered
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::four_bar::FourBar;
     use super::*;
+    use crate::scene::{Candidates, Shape};
 
     fn check(edit: impl Fn(&mut Scene), expect: &str) {
         let mut scene = Scene {
@@ -286,7 +162,7 @@ mod tests {
 
     #[test]
     fn the_pull_range_ends_where_the_linkage_does() {
-        let robot = robot(&scene::Robot::default());
+        let robot = Robot::of(&scene::Robot::default());
         let (least, most) = robot.pull_range();
         for pull in [least, most] {
             let n = robot.segments as f64;

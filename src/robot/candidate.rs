@@ -1,10 +1,10 @@
-//! Which parts of the robot may touch obstacles, and how they move with its
-//! nodes. It holds no clearances.
+//! Which parts of the robot may touch something, and where they are in a shape.
+//! It knows no obstacle.
 
-use super::robot::Robot;
+use super::dimensions::Robot;
+use super::node::PlanarNode;
 use super::sizes::Sizes;
-use crate::geometry::{Edge, Obstacle, PointClearance, Vector};
-use crate::solver::State;
+use crate::geometry::Vector;
 use serde::{Deserialize, Serialize};
 
 /// A line of the robot that contacts are reported on.
@@ -92,45 +92,13 @@ impl Candidate {
     }
 
     /// The candidate's point, or its two ends, from the nodes.
-    pub fn ends(&self, nodes: &[super::PlanarNode]) -> (Vector, Vector) {
+    pub fn ends(&self, nodes: &[PlanarNode]) -> (Vector, Vector) {
         let node = &nodes[self.node];
         match self.element {
             Element::Point { lever } => (node.at(lever), node.at(lever)),
             Element::Link { lever } => (nodes[self.node - 1].at(lever), node.at(lever)),
             Element::Across { lever } => (node.at(-lever), node.at(lever)),
         }
-    }
-
-    /// The clearance of a point candidate from an obstacle; `None` where the
-    /// edges that end in it are nearer.
-    pub fn point_clearance(
-        &self,
-        nodes: &[super::PlanarNode],
-        obstacle: &Obstacle,
-    ) -> Option<PointClearance> {
-        let Element::Point { lever } = self.element else {
-            return None;
-        };
-        let node = &nodes[self.node];
-        let point = node.at(lever);
-        let at = |node: usize| nodes.get(node).map(|node| node.at(lever));
-        match self.joins {
-            Joins::Nothing => Some(obstacle.clearance(point)),
-            Joins::Links => obstacle.end_clearance(point, [at(self.node - 1), at(self.node + 1)]),
-            Joins::Disk => obstacle.end_clearance(point, [Some(node.at(-lever)), None]),
-        }
-    }
-
-    /// The candidate's edge from the nodes, joined to the links below and above
-    /// it where it is a link itself; of no length for a point.
-    pub fn edge(&self, nodes: &[super::PlanarNode]) -> Edge {
-        let (start, end) = self.ends(nodes);
-        let mut edge = Edge::alone(start, end);
-        if let Element::Link { lever } = self.element {
-            let at = |node: usize| nodes.get(node).map(|node| node.at(lever));
-            edge.joined = [self.node.checked_sub(2).and_then(at), at(self.node + 1)];
-        }
-        edge
     }
 }
 
@@ -178,35 +146,5 @@ impl Robot {
             ]);
         }
         parts
-    }
-}
-
-/// A point of a disk as a function of its node's state.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct DiskPoint<'a> {
-    pub node: &'a super::PlanarNode,
-    pub lever: f64,
-}
-
-impl DiskPoint<'_> {
-    /// The gradient of w·x, where x is the point.
-    pub fn gradient(&self, weight: Vector) -> State<3> {
-        let turn = self.lever * weight.dot(&self.node.normal());
-        nalgebra::vector![weight.x, weight.y, turn]
-    }
-
-    /// The second derivative of w·x in φ; all others are zero.
-    pub fn curvature(&self, weight: Vector) -> f64 {
-        -self.lever * weight.dot(&self.node.disk)
-    }
-
-    /// The displacement of the point under a unit change of state component
-    /// `index`.
-    pub fn displacement(&self, index: usize) -> Vector {
-        match index {
-            0 => Vector::x(),
-            1 => Vector::y(),
-            _ => self.lever * self.node.normal(),
-        }
     }
 }

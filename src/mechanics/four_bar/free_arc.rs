@@ -1,10 +1,9 @@
 //! The robot that touches nothing: all its segments bend alike, so that its
-//! shape is known without solving.
+//! shape is known without solving; and the pulls for which it has one.
 
-use super::four_bar::FourBar;
-use super::node::PlanarNode;
-use super::robot::Robot;
+use super::linkage::FourBar;
 use crate::geometry::Vector;
+use crate::robot::{PlanarNode, Robot};
 
 /// The shape of the robot without obstacles at a pull.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +15,13 @@ pub struct FreeArc {
 }
 
 impl Robot {
+    /// The pulls for which a linkage exists, in metres, ends included.
+    pub fn pull_range(&self) -> (f64, f64) {
+        let n = self.segments as f64;
+        let (least, most) = FourBar::shortening_range(self.length / n, self.offset);
+        (n * least, n * most)
+    }
+
     /// The shape without obstacles at a pull within [`Robot::pull_range`], in
     /// metres. With s the first segment's step in the base's disk frame, the n
     /// steps sum to
@@ -56,7 +62,7 @@ impl Robot {
 
 #[cfg(test)]
 mod tests {
-    use crate::model::Problem;
+    use crate::mechanics::Problem;
     use crate::scene::Scene;
     use crate::solver::Chain;
 

@@ -1,0 +1,97 @@
+//! Where a part of the robot is nearest to an obstacle, and by how much.
+
+use crate::geometry::{Edge, Obstacle, PointClearance, Vector};
+use crate::robot::{Candidate, Element, Joins, PlanarNode};
+
+/// Where a candidate is nearest to an obstacle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// The candidate's point or the point of its edge, in metres.
+    pub point: Vector,
+    /// The unit normal from the obstacle.
+    pub normal: Vector,
+    /// Where on its edge, from 0 to 1, and beyond by a little in the notch between
+    /// two links; 1 for a point.
+    pub along: f64,
+}
+
+impl Candidate {
+    /// The clearance of a point candidate from an obstacle; `None` where the
+    /// edges that end in it are nearer.
+    pub fn point_clearance(
+        &self,
+        nodes: &[PlanarNode],
+        obstacle: &Obstacle,
+    ) -> Option<PointClearance> {
+        let Element::Point { lever } = self.element else {
+            return None;
+        };
+        let node = &nodes[self.node];
+        let point = node.at(lever);
+        let at = |node: usize| nodes.get(node).map(|node| node.at(lever));
+        match self.joins {
+            Joins::Nothing => Some(obstacle.clearance(point)),
+            Joins::Links => obstacle.end_clearance(point, [at(self.node - 1), at(self.node + 1)]),
+            Joins::Disk => obstacle.end_clearance(point, [Some(node.at(-lever)), None]),
+        }
+    }
+
+    /// The candidate's edge from the nodes, joined to the links below and above
+    /// it where it is a link itself; of no length for a point.
+    pub fn edge(&self, nodes: &[PlanarNode]) -> Edge {
+        let (start, end) = self.ends(nodes);
+        let mut edge = Edge::alone(start, end);
+        if let Element::Link { lever } = self.element {
+            let at = |node: usize| nodes.get(node).map(|node| node.at(lever));
+            edge.joined = [self.node.checked_sub(2).and_then(at), at(self.node + 1)];
+        }
+        edge
+    }
+
+    /// Where the candidate is nearest to an obstacle, for an edge to one of
+    /// its vertices.
+    pub fn place(&self, nodes: &[PlanarNode], obstacle: &Obstacle, vertex: Option<usize>) -> Place {
+        let (start, end) = self.ends(nodes);
+        let clearance = self.point_clearance(nodes, obstacle);
+        let mut place = Place {
+            point: end,
+            normal: clearance.unwrap_or_else(|| obstacle.clearance(end)).normal,
+            along: 1.0,
+        };
+        let facing = vertex.and_then(|v| obstacle.edge_clearance(&self.edge(nodes), v));
+        if let Some(clearance) = facing {
+            place = Place {
+                point: start + clearance.along * (end - start),
+                normal: clearance.normal,
+                along: clearance.along,
+            };
+        }
+        place
+    }
+
+    /// The clearances of this candidate from an obstacle, each with its
+    /// vertex: one for a point, any number for an edge, and one without a
+    /// vertex for an edge that crosses the obstacle's core.
+    pub fn clearances(
+        &self,
+        nodes: &[PlanarNode],
+        obstacle: &Obstacle,
+        mut each: impl FnMut(Option<usize>, f64),
+    ) {
+        let (start, end) = self.ends(nodes);
+        match self.element {
+            Element::Point { lever } => {
+                let clearance = obstacle.clearance(nodes[self.node].at(lever));
+                each(None, clearance.distance - self.radius);
+            }
+            _ => {
+                if let Some(depth) = obstacle.crossing_depth(start, end) {
+                    each(None, -depth - self.radius);
+                }
+                obstacle.edge_clearances(&self.edge(nodes), |clearance| {
+                    each(Some(clearance.vertex), clearance.distance - self.radius);
+                });
+            }
+        }
+    }
+}

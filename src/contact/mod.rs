@@ -1,0 +1,15 @@
+//! Contact: the clearance of every part of the robot from every obstacle as a
+//! row of eq. 5 with exact derivatives, and motions that lead through. What
+//! bends the robot it does not know: only where its nodes are.
+
+mod clearances;
+mod disk_point;
+mod from_scene;
+mod motion;
+mod rows;
+mod surroundings;
+
+pub use clearances::Place;
+pub use from_scene::{covers_base, obstacle};
+pub use rows::RowKind;
+pub use surroundings::Surroundings;

@@ -1,0 +1,16 @@
+//! The planar robot itself: its dimensions, its parts, what they are called, and
+//! a pose of one of its nodes. It knows neither what bends it nor what is around
+//! it.
+
+mod candidate;
+mod dimensions;
+mod from_scene;
+mod names;
+mod node;
+mod sizes;
+
+pub use candidate::{Candidate, Element, Joins, Line};
+pub use dimensions::Robot;
+pub use names::part_name;
+pub use node::PlanarNode;
+pub use sizes::Sizes;
