@@ -5,8 +5,8 @@ mod run;
 
 pub use run::run;
 
-use super::canvas::Tool;
 use super::look::icons;
+use super::shapes::Tool;
 use super::state::{Selection, State};
 use eframe::egui::{Context, Id, Key, KeyboardShortcut, Modifiers, Popup};
 

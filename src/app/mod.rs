@@ -25,21 +25,26 @@ mod measured;
 mod notices;
 #[cfg(all(target_arch = "wasm32", feature = "web"))]
 pub mod page;
+mod paint;
 pub mod panels;
 mod photo;
+mod pixels;
 pub mod platform;
 pub mod plots;
+mod shapes;
 mod sheets;
 mod space;
 mod state;
 mod transport;
+mod widgets;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
 mod words;
 
-pub use canvas::{Hints, Tool};
+pub use canvas::Hints;
 pub use commands::Command;
 pub use document::Document;
+pub use shapes::Tool;
 pub use state::{Hovered, Preferences, Selection, State, Views};
 
 use crate::scene::Scene;

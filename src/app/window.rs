@@ -3,8 +3,9 @@
 
 use super::backend::{Inline, SolverBackend, Thread};
 use super::files::autosave::Stored;
-use super::files::{faults_of, scene_from};
+use super::files::scene_from;
 use super::platform::Native;
+use super::words::faults_of;
 use super::{Preferences, Sinew};
 use crate::report::on_a_terminal;
 use crate::scene::Scene;

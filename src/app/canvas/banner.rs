@@ -1,11 +1,12 @@
 //! What went wrong, said where it did: edits that were taken back, shapes that
 //! are no certified equilibria, and where those got stuck.
 
+use super::chip;
 use super::tools::raised;
-use super::{chip, to_screen};
 use crate::app::commands::Command;
 use crate::app::live::Live;
 use crate::app::look::{Tokens, icon, icons, semibold};
+use crate::app::paint::to_screen;
 use crate::app::state::State;
 use crate::app::words;
 use crate::equilibrium::{Solution, Status};
@@ -73,7 +74,7 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) {
     // In words that name obstacles by their names.
     let reason = match state.live.solution() {
         Some(solution) => words::outcome(solution, &state.document.scene),
-        None => words::sentence(&reason),
+        None => words::spoken(&reason),
     };
     banner(ui, state, rect, (icons::WARNING, what, &reason));
 }

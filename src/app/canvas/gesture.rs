@@ -2,11 +2,9 @@
 //! Each frame starts from the scene as it was when the drag began, so that
 //! rounding does not add up and giving up restores it exactly.
 
-use super::handles::{Handle, drag, handles, moved, neat, vertices};
 use super::hit::{self, Target};
-use super::place;
 use super::pull::TipMap;
-use super::tools::Tool;
+use crate::app::shapes::{self, Handle, Tool, drag, handles, moved, neat, vertices};
 use crate::app::state::{Selection, State};
 use crate::geometry::Vector;
 use crate::scene::{Obstacle, Scene, Shape};
@@ -150,7 +148,7 @@ impl Gesture {
             }
             Dragged::New(tool, index) => {
                 let robot = &self.before.robot;
-                if let Some(shape) = place::dragged(*tool, self.origin, to, robot, per_point) {
+                if let Some(shape) = shapes::dragged(*tool, self.origin, to, robot, per_point) {
                     let obstacles = &mut state.document.scene.obstacles;
                     if *index == obstacles.len() {
                         obstacles.push(Obstacle::from(shape));

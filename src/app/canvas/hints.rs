@@ -1,9 +1,10 @@
 //! Hints for the first minute: what can be dragged. Each is gone after its
 //! first use, for good.
 
-use super::{chip, to_screen};
+use super::chip;
 use crate::app::live::Live;
 use crate::app::look::{Tokens, icons};
+use crate::app::paint::to_screen;
 use crate::view::Frame;
 use eframe::egui::{Painter, Rect, vec2};
 use serde::{Deserialize, Serialize};

@@ -1,8 +1,7 @@
 //! What is under a point of the canvas, and how near is near enough.
 
-use super::handles::{Handle, handles};
-use super::tools::Tool;
 use crate::app::live::Live;
+use crate::app::shapes::{Handle, Tool, Turned, handles};
 use crate::app::state::{Hovered, State};
 use crate::geometry::{Obstacle, Vector};
 use crate::scene::Shape;
@@ -148,7 +147,7 @@ fn in_view(shape: &Shape, frame: &Frame) -> Shape {
         ..
     } = &mut seen
     {
-        let normal = super::handles::Turned::by(*rotation_deg).x;
+        let normal = Turned::by(*rotation_deg).x;
         let anchor = Vector::from(*point_mm) * METRES_PER_MM;
         let inner = frame.window.grown(-40.0);
         let corners = inner.corners().map(|corner| frame.to_world(corner));

@@ -2,8 +2,9 @@
 //! part of the window.
 
 use super::chip::Chip;
-use super::{paint, to_screen};
+use super::overlay;
 use crate::app::look::Tokens;
+use crate::app::paint::to_screen;
 use crate::app::state::{Hovered, State};
 use crate::app::words;
 use crate::equilibrium::{Contact, Solution};
@@ -73,7 +74,7 @@ pub fn paint(
         }
         Hovered::Obstacle(index) => {
             let stroke = Stroke::new(1.5, tokens.accent.gamma_multiply(0.6));
-            paint::outline_of(painter, &state.live, index, frame, stroke);
+            overlay::outline_of(painter, &state.live, index, frame, stroke);
         }
     }
 }

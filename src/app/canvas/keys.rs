@@ -1,10 +1,10 @@
 //! The canvas by keyboard: arrows nudge what is selected, Tab goes from one
 //! obstacle to the next, Space held moves the view.
 
-use super::handles::neat;
-use super::tools::{Tool, close_draft};
+use super::tools::close_draft;
 use super::{Canvas, hit};
 use crate::app::commands::Command;
+use crate::app::shapes::{Tool, moved, neat};
 use crate::app::state::{Selection, State, Views};
 use crate::geometry::Vector;
 use crate::view::Frame;
@@ -160,7 +160,7 @@ fn nudge(ctx: &Context, state: &mut State, frame: &Frame) {
                 // A nudge is as exact as its step, however far one is away.
                 let fine = hit::per_point(frame).min(0.1 * NUDGE_MM);
                 let by = NUDGE_MM * steps;
-                obstacle.shape = super::handles::moved(&obstacle.shape, by, Modifiers::NONE, fine);
+                obstacle.shape = moved(&obstacle.shape, by, Modifiers::NONE, fine);
             }
         }
         Selection::Robot => {

@@ -1,11 +1,9 @@
 //! What a right click or a long press offers, for an obstacle or the plane.
 
-use super::handles::{Handle, add_vertex, remove_vertex};
 use super::hit::{Target, per_point};
-use super::place;
-use super::tools::Tool;
 use crate::app::commands::Command;
 use crate::app::look::{icon, icons};
+use crate::app::shapes::{Handle, Tool, add_vertex, clicked, remove_vertex};
 use crate::app::state::{Selection, State};
 use crate::geometry::Vector;
 use crate::scene::{Obstacle, Shape};
@@ -131,7 +129,7 @@ fn of_plane(ui: &mut Ui, state: &mut State, opened: Opened, frame: &Frame) {
 /// Adds the obstacle of a tool at a point in metres, and selects it.
 pub fn add(state: &mut State, tool: Tool, at: Vector, frame: &Frame) {
     let scene = &mut state.document.scene;
-    let shape = place::clicked(tool, at / METRES_PER_MM, &scene.robot, per_point(frame));
+    let shape = clicked(tool, at / METRES_PER_MM, &scene.robot, per_point(frame));
     if let Some(shape) = shape {
         scene.obstacles.push(Obstacle::from(shape));
         state.selection = Selection::Obstacle(scene.obstacles.len() - 1);

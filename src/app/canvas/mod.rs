@@ -11,9 +11,9 @@ mod hints;
 mod hit;
 mod hover;
 mod keys;
+mod labels;
 mod menu;
-mod paint;
-mod place;
+mod overlay;
 mod pointer;
 mod pull;
 mod shade;
@@ -21,20 +21,18 @@ mod tools;
 
 pub use hints::Hints;
 pub use keys::hold_space;
-pub use place::{clicked, copied};
-pub use tools::Tool;
-
-pub(super) use paint::drawing as paint_drawing;
 
 use super::live::Live;
 use super::look::{Tokens, theme_of};
+use super::paint::{drawing, grid};
+use super::shapes::{Tool, remove_vertex};
 use super::state::{Hovered, Selection, State};
 use crate::geometry::Vector;
 use crate::render::field_callback;
 use crate::scene::Shape;
 use crate::view::Frame;
 use camera::Camera;
-use eframe::egui::{self, Pos2, Rect, Sense, Stroke, Ui};
+use eframe::egui::{self, Rect, Sense, Stroke, Ui};
 use gesture::Gesture;
 use hit::{Reach, Target};
 use keys::Space;
@@ -50,7 +48,7 @@ pub struct Canvas {
     /// Whether the view goes on to fit what the solver is about to find.
     fitting: bool,
     trace: Vec<Vector>,
-    labels: paint::Labels,
+    labels: labels::Labels,
     gesture: Option<Gesture>,
     tool: Tool,
     /// The vertices of the polygon being drawn, in mm.
@@ -77,7 +75,7 @@ impl Default for Canvas {
             camera: Camera::default(),
             fitting: true,
             trace: Vec::new(),
-            labels: paint::Labels::default(),
+            labels: labels::Labels::default(),
             gesture: None,
             tool: Tool::Select,
             draft: Vec::new(),
@@ -154,7 +152,7 @@ impl Canvas {
         let Some((_, vertex)) = self.vertex.take().filter(|(of, _)| *of == index) else {
             return false;
         };
-        if let Some(fewer) = handles::remove_vertex(shape, vertex) {
+        if let Some(fewer) = remove_vertex(shape, vertex) {
             *shape = fewer;
         }
         true
@@ -207,25 +205,25 @@ fn picture(ui: &Ui, state: &mut State, frame: &Frame, rect: Rect, target: Target
     }
     backdrop::behind(&painter, state, frame);
     if state.preferences.grid {
-        paint::grid(&painter, frame, theme);
+        grid(&painter, frame, theme);
     }
     let lit = match &state.canvas.gesture {
         None => state.hovering,
         Some(_) => Hovered::Nothing,
     };
     if state.selection == Selection::Robot {
-        paint::halo(&painter, &state.live, frame, theme);
+        overlay::halo(&painter, &state.live, frame, theme);
     }
     if let Some(shade) = &mut state.canvas.shade
         && !shade.paint(ui, &painter, frame)
     {
         state.canvas.shade = None;
     }
-    paint::drawing(&painter, state.live.drawing(), frame, theme);
+    drawing(&painter, state.live.drawing(), frame, theme);
     if let Hovered::Obstacle(_) = lit {
         hover::paint(&painter, state, lit, frame, rect, theme);
     }
-    paint::selection(&painter, &state.live, state.selection, frame, theme);
+    overlay::selection(&painter, &state.live, state.selection, frame, theme);
     let revision = state.live.revision();
     let State { canvas, live, .. } = state;
     let drawing = (live.drawing(), revision);
@@ -239,15 +237,15 @@ fn picture(ui: &Ui, state: &mut State, frame: &Frame, rect: Rect, target: Target
         };
         let vertex = state.canvas.vertex.filter(|(of, _)| *of == index);
         let filled = (under, vertex.map(|(_, vertex)| vertex));
-        paint::handles(&painter, &shape, frame, filled, reach, &tokens);
+        handles::paint(&painter, &shape, frame, filled, reach, &tokens);
     }
     if target == Target::Tip {
-        paint::tip_ring(&painter, &state.live, frame, &tokens);
+        overlay::tip_ring(&painter, &state.live, frame, &tokens);
     }
-    paint::scale_bar(&painter, frame, state.canvas.strip, theme);
+    overlay::scale_bar(&painter, frame, state.canvas.strip, theme);
     backdrop::before(&painter, state, frame, theme);
     if !state.live.drawing().standing.is_greyed() {
-        paint::legend(&painter, state.live.drawing(), rect, theme);
+        overlay::legend(&painter, state.live.drawing(), rect, theme);
     }
     match lit {
         Hovered::Obstacle(_) => {}
@@ -276,13 +274,4 @@ fn overlays(ui: &mut Ui, state: &mut State, frame: &Frame, rect: Rect, response:
         chip::reading(&painter, rect, pointer, &numbers, &tokens);
     }
     banner::refusal(ui, &painter, state, rect, pointer);
-}
-
-fn to_world(frame: &Frame, at: Pos2) -> Vector {
-    frame.to_world(Vector::new(f64::from(at.x), f64::from(at.y)))
-}
-
-fn to_screen(frame: &Frame, at: Vector) -> Pos2 {
-    let at = frame.to_screen(at);
-    Pos2::new(at.x as f32, at.y as f32)
 }

@@ -2,11 +2,12 @@
 //! end of drags. What a drag does in between is its [`Gesture`]'s.
 
 use super::gesture::{Dragged, Gesture};
-use super::handles::{Handle, add_vertex, edge_near, vertices};
 use super::hit::{self, Held, Reach, Target};
 use super::keys::Space;
-use super::tools::{self, Tool};
-use super::{menu, to_world};
+use super::menu;
+use super::tools;
+use crate::app::paint::to_world;
+use crate::app::shapes::{Handle, Tool, add_vertex, edge_near, vertices};
 use crate::app::state::{Selection, State};
 use crate::geometry::Vector;
 use crate::scene::Shape;

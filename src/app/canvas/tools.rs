@@ -1,10 +1,11 @@
 //! The tools at the canvas's left edge, and drawing a polygon with one.
 
-use super::handles::{convex, written};
-use super::{Canvas, hit, to_screen};
+use super::{Canvas, hit};
 use crate::app::commands::Command;
-use crate::app::look::{Tokens, icon_button, icons};
+use crate::app::look::{Tokens, icon_button};
 use crate::app::notices::Notice;
+use crate::app::paint::{to_screen, to_world};
+use crate::app::shapes::{Tool, convex, neat, written};
 use crate::app::state::{Selection, State};
 use crate::geometry::Vector;
 use crate::scene::limits::VERTICES;
@@ -15,58 +16,16 @@ use eframe::egui::{
     self, Color32, Layout, Margin, Painter, Pos2, Rect, Sense, Stroke, Ui, UiBuilder, pos2, vec2,
 };
 
-/// What clicks and drags on the canvas do.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tool {
-    /// They select, move and resize.
-    #[default]
-    Select,
-    /// They add a disc.
-    Disc,
-    /// They add a box.
-    Box,
-    /// They add a capsule.
-    Capsule,
-    /// They add a polygon, vertex by vertex.
-    Polygon,
-    /// They add a wall.
-    Wall,
-}
-
-impl Tool {
-    /// All tools, from top to bottom.
-    pub const ALL: [Self; 6] = [
-        Self::Select,
-        Self::Disc,
-        Self::Box,
-        Self::Capsule,
-        Self::Polygon,
-        Self::Wall,
-    ];
-
-    /// The tool's icon.
-    pub const fn icon(self) -> &'static str {
-        match self {
-            Tool::Select => icons::HAND_POINTING,
-            Tool::Disc => icons::CIRCLE,
-            Tool::Box => icons::SQUARE,
-            Tool::Capsule => icons::PILL,
-            Tool::Polygon => icons::POLYGON,
-            Tool::Wall => icons::WALL,
-        }
-    }
-
-    /// What to do with the tool; nothing for the one that is always there.
-    fn advice(self) -> Option<&'static str> {
-        Some(match self {
-            Tool::Select => return None,
-            Tool::Disc => "Click, or drag from the centre outward",
-            Tool::Box => "Click, or drag from corner to corner",
-            Tool::Capsule => "Click, or drag from end to end",
-            Tool::Polygon => "Click its vertices, then Enter or a double click",
-            Tool::Wall => "Click, or drag along the surface",
-        })
-    }
+/// What to do with the tool; nothing for the one that is always there.
+fn advice(tool: Tool) -> Option<&'static str> {
+    Some(match tool {
+        Tool::Select => return None,
+        Tool::Disc => "Click, or drag from the centre outward",
+        Tool::Box => "Click, or drag from corner to corner",
+        Tool::Capsule => "Click, or drag from end to end",
+        Tool::Polygon => "Click its vertices, then Enter or a double click",
+        Tool::Wall => "Click, or drag along the surface",
+    })
 }
 
 /// Width of the strip with its distance from the edge, in points.
@@ -114,7 +73,7 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) -> Rect {
         });
     });
     let area = strip.response.rect;
-    if let Some(advice) = state.canvas.tool.advice() {
+    if let Some(advice) = advice(state.canvas.tool) {
         let at = area.right_top() + vec2(8.0, 4.0);
         let text = format!("{advice} · Esc stops");
         super::chip::text(ui.painter(), rect, at, &text, &tokens);
@@ -159,7 +118,7 @@ impl Canvas {
 /// where it began.
 pub fn add_to_draft(state: &mut State, frame: &Frame, at: Vector) {
     let per_point = hit::per_point(frame);
-    let at = (at / METRES_PER_MM).map(|x| super::handles::neat(x, per_point));
+    let at = (at / METRES_PER_MM).map(|x| neat(x, per_point));
     let draft = &mut state.canvas.draft;
     let begun = draft.first().copied();
     if draft.len() >= 3 && begun.is_some_and(|first| (first - at).norm() < 10.0 * per_point) {
@@ -210,7 +169,7 @@ pub fn paint_draft(
     let mut shown = canvas.draft.clone();
     if let Some(pointer) = pointer {
         line.push(pointer);
-        shown.push(super::to_world(frame, pointer) / METRES_PER_MM);
+        shown.push(to_world(frame, pointer) / METRES_PER_MM);
     }
     // What it would become now.
     if let Some(found) = convex(&shown) {

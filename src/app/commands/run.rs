@@ -1,11 +1,11 @@
 //! What each command does.
 
 use super::Command;
-use crate::app::canvas::copied;
 use crate::app::dock::Dock;
 use crate::app::files::{self, Intent, Saving, export};
 use crate::app::panels::{Side, settings_id};
 use crate::app::platform::{Errand, PictureKind};
+use crate::app::shapes::copied;
 use crate::app::sheets::Sheet;
 use crate::app::state::{Rescale, Selection, State, Views};
 use crate::scene::Obstacle;

@@ -1,12 +1,13 @@
 //! Files dropped on the window and text pasted into it: told apart by their
 //! ending or what they say, and announced while they still hang over it.
 
-use super::{Arrival, Intent, open, request, shown};
+use super::{Arrival, Intent, open, request};
 use crate::app::link;
 use crate::app::look::{Tokens, icon_font, icons, semibold};
 use crate::app::notices::Notice;
 use crate::app::platform::Errand;
 use crate::app::state::State;
+use crate::app::words::{sentence, shown};
 use crate::scene::Scene;
 use eframe::egui::{
     Align2, Context, CornerRadius, Event, FontId, Id, LayerId, Order, Stroke, StrokeKind, Ui,
@@ -172,7 +173,7 @@ pub fn open_text(state: &mut State, text: &str, ctx: &Context) {
         match link::decode(text) {
             Ok(scene) => (scene, "Opened the link’s scene"),
             Err(fault) => {
-                let fault = super::sentence(&fault.to_string());
+                let fault = sentence(&fault.to_string());
                 state.notices.tell(Notice::trouble(fault));
                 return;
             }

@@ -5,13 +5,11 @@ use crate::app::link;
 use crate::app::notices::Notice;
 use crate::app::platform::{Contents, Destination, Errand, PictureKind};
 use crate::app::state::State;
+use crate::app::words::sentence;
 use crate::report::svg;
 use crate::view::{Drawing, Theme};
 use eframe::egui::Context;
 use std::path::Path;
-
-/// Pixels of a PNG in a pixel of the picture.
-pub const SCALE: f64 = 2.0;
 
 /// Exports the robot and its obstacles as a picture, in the window's theme.
 pub fn picture(state: &mut State, kind: PictureKind, ctx: &Context) {
@@ -37,7 +35,7 @@ pub fn picture(state: &mut State, kind: PictureKind, ctx: &Context) {
 
 #[cfg(not(target_arch = "wasm32"))]
 fn pixels(drawing: &Drawing, theme: Theme, size: svg::Size) -> Result<Vec<u8>, String> {
-    let png = crate::report::png::render(drawing, theme, size, SCALE);
+    let png = crate::report::png::render(drawing, theme, size, crate::app::pixels::SCALE);
     png.map_err(|error| error.to_string())
 }
 
@@ -85,7 +83,7 @@ pub fn copy_link(state: &mut State, ctx: &Context) {
         }
         Err(fault) => {
             let told = format!("There is no link to this scene: {fault}");
-            state.notices.tell(Notice::trouble(super::sentence(&told)));
+            state.notices.tell(Notice::trouble(sentence(&told)));
         }
     }
 }

@@ -13,12 +13,13 @@ mod open;
 mod photo_path;
 
 pub use drop::{Dropped, announce, take_drops, take_pastes};
-pub use open::{faults_of, scene_from};
+pub use open::scene_from;
 
 use super::notices::Notice;
 use super::platform::{Destination, Errand, News, Platform};
 use super::sheets::Sheet;
 use super::state::State;
+use super::words::{sentence, shown};
 use crate::scene::{Candidates, Scene};
 use autosave::Unsaved;
 use eframe::egui::{Context, ViewportCommand};
@@ -332,27 +333,6 @@ fn failed(state: &mut State, errand: Errand, path: Option<PathBuf>, reason: Stri
     });
 }
 
-/// A clause as a sentence. A key of a scene stays as it is written there.
-pub fn sentence(clause: &str) -> String {
-    let first = clause.split_whitespace().next().unwrap_or_default();
-    let is_key = first.trim_end_matches('.').contains(['.', '_', '[']);
-    let mut text = clause.to_owned();
-    if let Some(letter) = clause.chars().next().filter(|_| !is_key) {
-        let capital = letter.to_uppercase().to_string();
-        text.replace_range(..letter.len_utf8(), &capital);
-    }
-    if !text.ends_with(['.', '!', '?']) {
-        text.push('.');
-    }
-    text
-}
-
-/// A path's last part, for sentences.
-pub fn shown(path: &Path) -> String {
-    let name = path.file_name().unwrap_or(path.as_os_str());
-    name.to_string_lossy().into_owned()
-}
-
 /// The folder that dialogs start in.
 fn folder(state: &State) -> Option<PathBuf> {
     let file = state.document.file.as_ref().or(state.files.recent.first());
@@ -418,13 +398,5 @@ mod tests {
         check("Two discs (Fig. 4b)", "two-discs-fig-4b");
         check("../..\\:*?", "");
         check("Größe 3 µm", "größe-3-µm");
-    }
-
-    #[test]
-    fn clauses_become_sentences() {
-        assert_eq!(sentence("it is not there"), "It is not there.");
-        assert_eq!(sentence("line 3 is odd."), "Line 3 is odd.");
-        assert_eq!(sentence("robot.length_mm is 0"), "robot.length_mm is 0.");
-        assert_eq!(sentence(""), ".");
     }
 }

@@ -2,13 +2,14 @@
 //! present one. One that cannot be solved changes nothing and is told with all
 //! of its faults.
 
-use super::{Arrival, Intent, autosave, photo_path, request, shown};
+use super::{Arrival, Intent, autosave, photo_path, request};
 use crate::app::commands::Command;
 use crate::app::document::Document;
 use crate::app::history::History;
 use crate::app::notices::Notice;
 use crate::app::sheets::Sheet;
 use crate::app::state::State;
+use crate::app::words::{faults_of, shown};
 use crate::scene::{Scene, SceneError};
 use eframe::egui::Context;
 use std::path::{Path, PathBuf};
@@ -44,14 +45,6 @@ pub fn scene_from(bytes: &[u8], file: Option<&Path>) -> Result<Scene, Vec<SceneE
     let scene = photo_path::as_opened_from(scene, folder.filter(|f| !f.as_os_str().is_empty()));
     Document::new(scene.clone())?;
     Ok(scene)
-}
-
-/// Faults as sentences.
-pub fn faults_of(faults: &[SceneError]) -> Vec<String> {
-    faults
-        .iter()
-        .map(|fault| super::sentence(&fault.to_string()))
-        .collect()
 }
 
 /// Opens what a file holds, after asking where unsaved work would be lost.

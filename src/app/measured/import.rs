@@ -2,10 +2,10 @@
 //! the robot changes nothing and is told with its rows.
 
 use crate::app::commands::Command;
-use crate::app::files::{faults_of, sentence, shown};
 use crate::app::notices::Notice;
 use crate::app::sheets::Sheet;
 use crate::app::state::{Selection, State};
+use crate::app::words::{faults_of, sentence, shown};
 use crate::experiments::measured_csv::{LeftOut, Sheet as Table};
 use crate::experiments::{Measured, MeasuredPoint};
 use crate::model::Problem;

@@ -100,7 +100,7 @@ pub fn search(state: &mut State) {
     let measured = match Measured::of_scene(held, &problem) {
         Ok(measured) => measured,
         Err(fault) => {
-            let told = super::files::sentence(&fault.to_string());
+            let told = super::words::sentence(&fault.to_string());
             state.notices.tell(Notice::trouble(told));
             return;
         }

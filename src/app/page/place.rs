@@ -3,7 +3,7 @@
 
 use crate::app::document::Document;
 use crate::app::examples::{EXAMPLES, Example};
-use crate::app::files::sentence;
+use crate::app::words::sentence;
 use crate::scene::Scene;
 
 /// What a fragment that names an example begins with.

@@ -2,11 +2,12 @@
 //! robot is from the measured backbone, the pull that suits it best, and the
 //! force readings.
 
-use super::row;
 use crate::app::commands::Command;
 use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::measured;
 use crate::app::state::{Selection, State};
+use crate::app::widgets::row;
+use crate::app::words::sentence;
 use crate::experiments::ShapeFit;
 use crate::scene::Measurements;
 use crate::units::millimetres;
@@ -57,7 +58,7 @@ fn backbone(ui: &mut Ui, state: &mut State, held: &Measurements) {
         Some(Ok(fit)) => distances(ui, "shown", fit, length),
         Some(Err(fault)) => {
             let colour = Tokens::in_ui(ui).warning;
-            let told = crate::app::files::sentence(&fault.to_string());
+            let told = sentence(&fault.to_string());
             ui.label(RichText::new(told).color(colour));
             return;
         }
@@ -104,7 +105,7 @@ fn best(ui: &mut Ui, state: &mut State, length: f64) {
         }
         Some(Err(reason)) => {
             let colour = Tokens::in_ui(ui).warning;
-            let told = crate::app::files::sentence(&reason);
+            let told = sentence(&reason);
             ui.label(RichText::new(told).color(colour));
         }
         Some(Ok(fit)) => {

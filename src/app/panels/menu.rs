@@ -1,11 +1,11 @@
 //! The menu: all commands by group, from their list, and the recent files.
 
-use super::row;
 use crate::app::commands::{ALL, Command, Group};
-use crate::app::files::shown;
 use crate::app::look::{Tokens, fits_fingers, icon, icons, semibold};
 use crate::app::platform::Errand;
 use crate::app::state::State;
+use crate::app::widgets::row;
+use crate::app::words::shown;
 use eframe::egui::containers::menu::MenuButton;
 use eframe::egui::{Button, RichText, Role, ScrollArea, Ui, WidgetInfo, vec2};
 

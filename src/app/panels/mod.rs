@@ -8,13 +8,11 @@ mod menu;
 mod outline;
 mod photo;
 mod restore;
-mod row;
 mod settings;
 mod status;
 pub mod tables;
 mod track;
 mod transport;
-mod typed;
 
 pub use settings::settings_id;
 
@@ -73,7 +71,7 @@ pub struct Panels {
     /// The obstacle that is being renamed in the outline.
     renaming: Option<outline::Renaming>,
     /// What was wrong with what was typed last.
-    complaint: Option<inspector::Complaint>,
+    complaint: Option<super::widgets::Complaint>,
     /// What the inspector showed last.
     inspected: Selection,
     /// What the status chip told last, and when.

@@ -1,13 +1,13 @@
 //! What can be done with the photograph while it is selected: how much of it
 //! shows, where it lies, its scale by two points, and removing it.
 
-use super::inspector::{Form, Number, with_form};
-use super::row;
+use super::inspector::with_form;
 use crate::app::commands::Command;
-use crate::app::files::shown;
 use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::photo::{Photograph, Scaling};
 use crate::app::state::{Selection, State};
+use crate::app::widgets::{Form, Number, row};
+use crate::app::words::shown;
 use crate::scene::limits::{ANGLE, COORDINATE, PHOTO_WIDTH};
 use crate::scene::{Photo, Scene};
 use eframe::egui::{Align, DragValue, Layout, RichText, Slider, Ui};

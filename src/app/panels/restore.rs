@@ -5,6 +5,7 @@ use crate::app::files::{self, Intent, autosave};
 use crate::app::look::{Tokens, icon, icons};
 use crate::app::notices::Notice;
 use crate::app::state::State;
+use crate::app::words::sentence;
 use eframe::egui::{Align, Button, Frame, Layout, Margin, Panel, Ui};
 
 /// Shows the bar where there is such work.
@@ -37,7 +38,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
                             files::request(state, intent, ui.ctx());
                         }
                         Err(fault) => {
-                            let fault = files::sentence(&fault.to_string());
+                            let fault = sentence(&fault.to_string());
                             state.notices.tell(Notice::trouble(fault));
                         }
                     }

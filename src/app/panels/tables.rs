@@ -1,10 +1,13 @@
 //! Tables of what touches and of what stands around, for the dock. A row
 //! lights up with its twin on the canvas; clicking it selects the obstacle.
 
-use super::inspector::{Number, with_form};
-use super::row::{self, Standing};
+use super::inspector::with_form;
 use crate::app::look::{Tokens, colour, theme_of};
 use crate::app::state::{Hovered, Selection, State};
+use crate::app::widgets::{
+    Number,
+    row::{self, Standing},
+};
 use crate::app::words;
 use crate::equilibrium::Class;
 use crate::forces::{Statics, part_name};

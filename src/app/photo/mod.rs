@@ -2,53 +2,23 @@
 //! files, so that undo and redo need nothing again. Where one lies is the
 //! scene's ([`crate::scene::Photo`]).
 
-#[cfg(not(target_arch = "wasm32"))]
-mod decode;
 mod place;
 
-#[cfg(not(target_arch = "wasm32"))]
-pub use decode::decode;
 pub use place::{Scaling, interact, outline, paint};
 
-use super::files::{self, sentence, shown};
+use super::files;
+use super::pixels::Decoded;
 use super::platform::Errand;
 use super::sheets::Sheet;
 use super::state::{Selection, State};
+use super::words::{sentence, shown};
 use crate::scene::{Photo, limits};
 use crate::units::millimetres;
 use crate::view::Bounds;
-use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use eframe::egui::{Context, TextureHandle, TextureOptions};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
-
-/// The most pixels on a side of a photograph.
-pub const MOST_SIDE: u32 = 8192;
-/// The most pixels on a side that are shown; a screen has not many more.
-pub const SHOWN_SIDE: u32 = 2048;
-
-/// A decoded photograph.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Decoded {
-    /// Its pixels, at most [`SHOWN_SIDE`] on a side, the right way up.
-    pub image: ColorImage,
-    /// Width and height in the file, in pixels, the right way up.
-    pub size: [u32; 2],
-}
-
-/// What is said of a file that is no such picture.
-pub fn neither() -> String {
-    "it is neither a PNG nor a JPEG picture; save it as one of these".to_owned()
-}
-
-/// What is said of a picture that has more than [`MOST_SIDE`] pixels on a
-/// side.
-pub fn too_large(width: u32, height: u32) -> String {
-    format!(
-        "it has {width} × {height} pixels, and a photograph may have {MOST_SIDE} on a side; make \
-         it smaller"
-    )
-}
 
 /// How much of a new photograph shows.
 const OPACITY: f64 = 0.6;

@@ -1,11 +1,12 @@
 //! Bends and shears by segment: where the robot gives, and how it differs from
 //! the free robot's arc.
 
+use super::cache::PlotCache;
+use super::data::{Link, Plot, PlotAction, PlotData};
 use super::export::cell;
 use super::pane::{
     Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
 };
-use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::state::Hovered;
 use crate::experiments::{Axis, Chart, Mark, Series};

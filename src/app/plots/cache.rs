@@ -1,6 +1,6 @@
 //! What the plots draw, in the units of their axes, computed when it changes.
 
-use super::PlotData;
+use super::data::PlotData;
 use super::marks::{self, Mark};
 use super::pane::value_at;
 use crate::equilibrium::Class;

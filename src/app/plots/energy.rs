@@ -1,12 +1,14 @@
 //! The energy over the pull, with what happens on the way: contacts made and
 //! lost, jumps, ends.
 
+use super::cache::PlotCache;
+use super::data::{Link, Plot, PlotAction, PlotData};
 use super::export::cell;
+use super::marks;
 use super::over_pull::{Cursor, Edges, Knob, read_at};
 use super::pane::{
     Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
 };
-use super::{Link, Plot, PlotAction, PlotCache, PlotData, marks};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::state::Hovered;
 use crate::app::words;

@@ -1,6 +1,8 @@
 //! The plots as the contents of files: tables with every digit, and charts.
 
-use super::{Plot, PlotCache, PlotData, bends, energy, force, multipliers, tip};
+use super::cache::PlotCache;
+use super::data::{Plot, PlotData};
+use super::{bends, energy, force, multipliers, tip};
 use crate::experiments::Chart;
 use crate::math::unsigned_zero;
 use crate::report::chart::{ChartError, svg_column};

@@ -1,11 +1,12 @@
 //! Force against load, the paper's Fig. 10: by multipliers where the stiffness
 //! is known, by virtual work where a reading fixes μ, and what was read.
 
+use super::cache::PlotCache;
+use super::data::{Link, Plot, PlotAction, PlotData};
 use super::export::cell;
 use super::pane::{
     Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate, value_at,
 };
-use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::state::Hovered;
 use crate::app::words;

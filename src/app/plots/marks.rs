@@ -1,7 +1,7 @@
 //! What happened along the path, as marks over the pull, and where their names
 //! find room.
 
-use super::PlotData;
+use super::data::PlotData;
 use super::pane::{SMALL, Surface};
 use crate::app::look::{Tokens, icon_font, icons};
 use crate::app::words;

@@ -1,10 +1,11 @@
 //! Multipliers by node, the paper's Fig. 5: which parts of the robot press, and
 //! how hard.
 
+use super::cache::PlotCache;
 use super::cache::{Side, Stem, Twin};
+use super::data::{Link, Plot, PlotAction, PlotData};
 use super::export::cell;
 use super::pane::{Quantities, Surface, Text, Whole, canvas, header, heat, named, ordinate};
-use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::state::Hovered;
 use crate::app::words;

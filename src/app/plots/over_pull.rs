@@ -2,8 +2,8 @@
 //! and the window of the fits, which a hand can drag, and the twin of a pull
 //! that the pointer is on elsewhere.
 
+use super::data::{Link, PlotData};
 use super::pane::Surface;
-use super::{Link, PlotData};
 use crate::app::look::Tokens;
 use crate::app::state::Hovered;
 use crate::units::{metres, millimetres};

@@ -1,7 +1,9 @@
 //! What all plots have in common: a header with names, a read-out and a menu,
 //! quiet axes with round numbers, and the way from values to the screen.
 
-use super::{Plot, PlotAction, PlotCache, PlotData, export};
+use super::cache::PlotCache;
+use super::data::{Plot, PlotAction, PlotData};
+use super::export;
 use crate::app::look::{Tokens, colour, icon_button, icons};
 use crate::view::{Quantity, Theme};
 use eframe::egui::text::{ByteIndex, LayoutJob};

@@ -1,12 +1,13 @@
 //! The tip over the pull, the paper's Fig. 7: its displacement and its slope,
 //! with the straight lines of eq. 7 in a window that a hand can move.
 
+use super::cache::PlotCache;
+use super::data::{Link, Plot, PlotAction, PlotData};
 use super::export::cell;
 use super::over_pull::{Cursor, Edges, Knob, read_at, window_shade};
 use super::pane::{
     Quantities, SMALL, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
 };
-use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::plots::cache::Piece;
 use crate::experiments::{Axis, Chart, Mark, Series};

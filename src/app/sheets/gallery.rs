@@ -2,12 +2,13 @@
 //! the gallery is open, a few milliseconds a frame.
 
 use super::{Stays, caption, large};
-use crate::app::canvas::paint_drawing;
 use crate::app::examples::{EXAMPLES, Example, Group};
 use crate::app::files::{self, Arrival, Intent};
 use crate::app::look::{Tokens, semibold, theme_of};
 use crate::app::notices::Notice;
+use crate::app::paint;
 use crate::app::state::State;
+use crate::app::words::sentence;
 use crate::equilibrium::{Progress, Run, Settings, Start};
 use crate::geometry::Vector;
 use crate::model::Problem;
@@ -91,7 +92,7 @@ pub(super) fn open(state: &mut State, example: &'static Example, ctx: &Context) 
         }
         Err(fault) => state
             .notices
-            .tell(Notice::trouble(files::sentence(&fault.to_string()))),
+            .tell(Notice::trouble(sentence(&fault.to_string()))),
     }
 }
 
@@ -221,7 +222,7 @@ fn miniature(ui: &Ui, drawing: &Drawing, window: Rect) {
             .graphics_mut(|all| all.entry(ui.layer_id()).next_idx())
     };
     let from = next(ui);
-    paint_drawing(&painter, drawing, &frame, theme_of(ui));
+    paint::drawing(&painter, drawing, &frame, theme_of(ui));
     let to = next(ui);
     ui.ctx().graphics_mut(|all| {
         all.entry(ui.layer_id()).transform_range(from, to, smaller);

@@ -4,10 +4,10 @@
 use super::{Stays, at_top};
 use crate::app::commands::{ALL, Command};
 use crate::app::examples::{EXAMPLES, Example};
-use crate::app::files::shown;
 use crate::app::look::{Tokens, icon, icons};
 use crate::app::platform::Errand;
 use crate::app::state::State;
+use crate::app::words::shown;
 use eframe::egui::{
     Context, Key, Label, Modifiers, Rect, RichText, ScrollArea, Sense, TextEdit, TextStyle, Ui,
     UiBuilder, WidgetInfo, pos2, vec2,

@@ -1,15 +1,13 @@
 //! What is selected, every field of it editable; or, where nothing is, what is
 //! known of the robot's shape.
 
-mod form;
 mod obstacle;
 mod robot;
 mod summary;
 
-pub use form::{Complaint, Form, Number};
-
 use super::Panels;
 use crate::app::state::{Selection, State};
+use crate::app::widgets::Form;
 use crate::scene::SceneError;
 use eframe::egui::{ScrollArea, Ui};
 

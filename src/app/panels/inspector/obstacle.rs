@@ -1,12 +1,12 @@
 //! An obstacle's fields, by its shape.
 
-use super::form::{Form, Number};
 use super::with_form;
 use crate::app::commands::Command;
 use crate::app::look::{icon, semibold};
 use crate::app::panels::bar::button;
 use crate::app::state::State;
-use crate::app::{panels::row, words};
+use crate::app::widgets::{Form, Number, row};
+use crate::app::words;
 use crate::scene::limits::{ANGLE, COORDINATE, CORNER_RADIUS, RADIUS, SIDE};
 use crate::scene::{Scene, Shape};
 use crate::units::per_millimetre;

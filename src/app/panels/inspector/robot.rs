@@ -1,11 +1,9 @@
 //! The robot's fields.
 
-use super::form::{Form, Number};
 use super::with_form;
 use crate::app::look::{Tokens, icon, icons, semibold};
-use crate::app::panels::row;
-use crate::app::panels::typed::Kind;
 use crate::app::state::State;
+use crate::app::widgets::{Form, Kind, Number, row};
 use crate::scene::limits::{
     ANGLE, BENDING_STIFFNESS, CABLE_OFFSET, COORDINATE, DISK_RADIUS, DISK_THICKNESS, LENGTH,
     LINE_DIAMETER, Limits, SEGMENTS,

@@ -3,9 +3,9 @@
 
 use super::with_form;
 use crate::app::look::semibold;
-use crate::app::panels::row;
 use crate::app::panels::status::Verdict;
 use crate::app::state::State;
+use crate::app::widgets::row;
 use crate::units::{degrees, millimetres, per_millimetre};
 use crate::view::Quantity;
 use eframe::egui::{RichText, Ui};

@@ -1,8 +1,8 @@
 //! New obstacles from the outline: the canvas's, put where there is room.
 
 use super::icon_menu;
-use crate::app::canvas::{Tool, clicked};
 use crate::app::look::{icon, icons};
+use crate::app::shapes::{Tool, clicked};
 use crate::app::state::{Selection, State};
 use crate::app::words;
 use crate::geometry::Vector;

@@ -3,10 +3,10 @@
 
 mod add;
 
-use super::row::{self, Standing};
 use crate::app::commands::Command;
 use crate::app::look::{Tokens, colour, icon, icon_font, icons, theme_of};
 use crate::app::state::{Hovered, Selection, State};
+use crate::app::widgets::row::{self, Standing};
 use crate::app::words;
 use crate::equilibrium::Class;
 use crate::scene::Scene;

@@ -8,9 +8,9 @@ mod verdict;
 pub use certificate::show as certificate;
 pub use verdict::Verdict;
 
-use super::row;
 use crate::app::look::{Tokens, icon_font, icons};
 use crate::app::state::State;
+use crate::app::widgets::row;
 use crate::app::words;
 use crate::equilibrium::Solution;
 use crate::view::Quantity;

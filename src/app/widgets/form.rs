@@ -1,9 +1,9 @@
 //! The fields of the inspector: a name, a value that can be typed or dragged,
 //! and under it whatever was wrong with what was typed.
 
+use super::row;
+use super::typed::Kind;
 use crate::app::look::{Tokens, icon, icons};
-use crate::app::panels::row;
-use crate::app::panels::typed::Kind;
 use crate::app::words;
 use crate::math::unsigned_zero;
 use crate::scene::SceneError;
