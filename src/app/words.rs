@@ -154,6 +154,12 @@ pub fn shown(path: &Path) -> String {
     name.to_string_lossy().into_owned()
 }
 
+/// What is said of a file that was chosen for another document.
+pub fn too_late(path: &Path) -> String {
+    let name = shown(path);
+    format!("{name} was chosen for the scene before this one and is left out.")
+}
+
 /// A part of the robot where its disks are not known.
 fn part(line: Line, node: usize) -> String {
     match line {

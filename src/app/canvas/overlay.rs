@@ -1,11 +1,10 @@
 //! What lies over the picture: the outline of what is selected, the scale bar
 //! and the legend of the contact scale.
 
-use crate::app::live::Live;
 use crate::app::look::{Tokens, contact_scale};
 use crate::app::paint::{flattened, to_screen};
-use crate::app::state::Selection;
 use crate::app::words;
+use crate::app::workbench::{Live, Selection};
 use crate::units::millimetres;
 use crate::view::{Drawing, Frame, Geometry, Quantity, Role, Theme, clip_half_plane, one_two_five};
 use eframe::egui::{Align2, FontId, Painter, Rect, Shape, Stroke, pos2, vec2};

@@ -1,12 +1,12 @@
 //! The tools at the canvas's left edge, and drawing a polygon with one.
 
-use super::{Canvas, hit};
+use super::hit;
+use super::view::Canvas;
 use crate::app::commands::Command;
 use crate::app::look::{Tokens, icon_button};
-use crate::app::notices::Notice;
 use crate::app::paint::{to_screen, to_world};
 use crate::app::shapes::{Tool, convex, neat, written};
-use crate::app::state::{Selection, State};
+use crate::app::workbench::{Notice, Selection, Workbench};
 use crate::geometry::Vector;
 use crate::scene::limits::VERTICES;
 use crate::scene::{Obstacle, Shape};
@@ -36,7 +36,7 @@ const BUTTON: f32 = 32.0;
 const TOUCHED: f32 = 40.0;
 
 /// Shows the strip, and what its tool wants of the user.
-pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) -> Rect {
+pub fn show(ui: &mut Ui, canvas: &mut Canvas, bench: &mut Workbench, rect: Rect) -> Rect {
     let tokens = Tokens::in_ui(ui);
     let touch = ui.input(|input| input.has_touch_screen());
     let button = if touch { TOUCHED } else { BUTTON };
@@ -53,7 +53,7 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) -> Rect {
             ui.spacing_mut().item_spacing = vec2(0.0, 2.0);
             ui.spacing_mut().interact_size = egui::Vec2::splat(button);
             for tool in Tool::ALL {
-                let chosen = state.canvas.tool == tool;
+                let chosen = canvas.tool == tool;
                 ui.scope(|ui| {
                     if chosen {
                         let visuals = &mut ui.style_mut().visuals;
@@ -66,14 +66,14 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) -> Rect {
                     }
                     let command = Command::Tool(tool);
                     if tool_button(ui, tool, chosen, &command.tip(ui.ctx())).clicked() {
-                        state.commands.push(command);
+                        bench.commands.push(command);
                     }
                 });
             }
         });
     });
     let area = strip.response.rect;
-    if let Some(advice) = advice(state.canvas.tool) {
+    if let Some(advice) = advice(canvas.tool) {
         let at = area.right_top() + vec2(8.0, 4.0);
         let text = format!("{advice} · Esc stops");
         super::chip::text(ui.painter(), rect, at, &text, &tokens);
@@ -101,28 +101,15 @@ pub fn raised(tokens: &Tokens, margin: i8) -> egui::Frame {
         .inner_margin(Margin::same(margin))
 }
 
-impl Canvas {
-    /// Takes a tool in hand.
-    pub fn take_tool(&mut self, tool: Tool) {
-        self.draft.clear();
-        self.tool = tool;
-    }
-
-    /// The tool in hand.
-    pub fn tool(&self) -> Tool {
-        self.tool
-    }
-}
-
 /// Adds a vertex to the polygon being drawn, at a point in metres, or closes it
 /// where it began.
-pub fn add_to_draft(state: &mut State, frame: &Frame, at: Vector) {
+pub fn add_to_draft(canvas: &mut Canvas, bench: &mut Workbench, frame: &Frame, at: Vector) {
     let per_point = hit::per_point(frame);
     let at = (at / METRES_PER_MM).map(|x| neat(x, per_point));
-    let draft = &mut state.canvas.draft;
+    let draft = &mut canvas.draft;
     let begun = draft.first().copied();
     if draft.len() >= 3 && begun.is_some_and(|first| (first - at).norm() < 10.0 * per_point) {
-        close_draft(state);
+        close_draft(canvas, bench);
         return;
     }
     if draft.len() < VERTICES && draft.last() != Some(&at) {
@@ -131,25 +118,25 @@ pub fn add_to_draft(state: &mut State, frame: &Frame, at: Vector) {
 }
 
 /// Makes an obstacle of the polygon being drawn, or tells why not.
-pub fn close_draft(state: &mut State) {
-    let draft = std::mem::take(&mut state.canvas.draft);
-    state.canvas.tool = Tool::Select;
+pub fn close_draft(canvas: &mut Canvas, bench: &mut Workbench) {
+    let draft = std::mem::take(&mut canvas.draft);
+    canvas.tool = Tool::Select;
     let Some(found) = convex(&draft) else {
         let why = "A polygon needs three vertices that are not on one line.";
-        state.notices.tell(Notice::information(why));
+        bench.notices.tell(Notice::information(why));
         return;
     };
     if found.left_out > 0 {
         let what = "Obstacles are convex, so the polygon became its convex hull.";
-        state.notices.tell(Notice::information(what));
+        bench.notices.tell(Notice::information(what));
     }
-    let obstacles = &mut state.document.scene.obstacles;
+    let obstacles = &mut bench.document.scene.obstacles;
     obstacles.push(Obstacle::from(Shape::Polygon {
         points_mm: found.points.iter().map(|p| written(*p)).collect(),
         rotation_deg: 0.0,
         corner_radius_mm: 0.0,
     }));
-    state.selection = Selection::Obstacle(obstacles.len() - 1);
+    bench.selection = Selection::Obstacle(obstacles.len() - 1);
 }
 
 /// Paints the polygon being drawn, up to the pointer.

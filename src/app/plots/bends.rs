@@ -8,7 +8,7 @@ use super::pane::{
     Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
 };
 use crate::app::look::{Tokens, theme_of};
-use crate::app::state::Hovered;
+use crate::app::workbench::Hovered;
 use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::units::degrees;
 use crate::view::Quantity;

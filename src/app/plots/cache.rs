@@ -2,7 +2,6 @@
 
 use super::data::PlotData;
 use super::marks::{self, Mark};
-use super::pane::value_at;
 use crate::equilibrium::Class;
 use crate::explore::{LoadCurve, Path, usual_end};
 use crate::forces::{Rates, Sweep, VirtualWork, VirtualWorkError, Window};
@@ -314,4 +313,15 @@ impl Forces {
             curve,
         }
     }
+}
+
+/// The value of a curve at an abscissa, straight between its points.
+pub(super) fn value_at(points: &[PlotPoint], x: f64) -> Option<f64> {
+    let after = points.partition_point(|point| point.x < x);
+    let b = points.get(after)?;
+    let Some(a) = after.checked_sub(1).map(|before| points[before]) else {
+        return (b.x == x).then_some(b.y);
+    };
+    let t = (x - a.x) / (b.x - a.x);
+    Some((1.0 - t) * a.y + t * b.y)
 }

@@ -1,7 +1,7 @@
 //! What there is to plot, and what a hand on a plot asks for: plain data, with
 //! no pane and no picture.
 
-use crate::app::state::Hovered;
+use crate::app::workbench::Hovered;
 use crate::equilibrium::Solution;
 use crate::explore::Path;
 use crate::forces::{Stiffness, Window};

@@ -10,8 +10,8 @@ use super::pane::{
     Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
 };
 use crate::app::look::{Tokens, theme_of};
-use crate::app::state::Hovered;
 use crate::app::words;
+use crate::app::workbench::Hovered;
 use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::units::{millimetres, per_millimetre};
 use crate::view::Quantity;

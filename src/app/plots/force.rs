@@ -1,15 +1,15 @@
 //! Force against load, the paper's Fig. 10: by multipliers where the stiffness
 //! is known, by virtual work where a reading fixes μ, and what was read.
 
-use super::cache::PlotCache;
+use super::cache::{PlotCache, value_at};
 use super::data::{Link, Plot, PlotAction, PlotData};
 use super::export::cell;
 use super::pane::{
-    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate, value_at,
+    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
 };
 use crate::app::look::{Tokens, theme_of};
-use crate::app::state::Hovered;
 use crate::app::words;
+use crate::app::workbench::Hovered;
 use crate::equilibrium::Class;
 use crate::experiments::{Axis, Chart, Mark, Series};
 use crate::explore::LoadPoint;

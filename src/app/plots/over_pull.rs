@@ -5,7 +5,7 @@
 use super::data::{Link, PlotData};
 use super::pane::Surface;
 use crate::app::look::Tokens;
-use crate::app::state::Hovered;
+use crate::app::workbench::Hovered;
 use crate::units::{metres, millimetres};
 use eframe::egui::{
     CursorIcon, PointerButton, Pos2, Rect, Response, Shape, Stroke, Ui, pos2, vec2,

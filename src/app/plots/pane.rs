@@ -387,14 +387,3 @@ impl<'a> Surface<'a> {
 pub(super) fn named(response: &Response, name: &str) {
     response.widget_info(|| WidgetInfo::labeled(eframe::egui::Role::Figure, true, name));
 }
-
-/// The value of a curve at an abscissa, straight between its points.
-pub(super) fn value_at(points: &[PlotPoint], x: f64) -> Option<f64> {
-    let after = points.partition_point(|point| point.x < x);
-    let b = points.get(after)?;
-    let Some(a) = after.checked_sub(1).map(|before| points[before]) else {
-        return (b.x == x).then_some(b.y);
-    };
-    let t = (x - a.x) / (b.x - a.x);
-    Some((1.0 - t) * a.y + t * b.y)
-}

@@ -3,12 +3,11 @@
 
 use super::{Stays, caption, large};
 use crate::app::examples::{EXAMPLES, Example, Group};
-use crate::app::files::{self, Arrival, Intent};
+use crate::app::files;
 use crate::app::look::{Tokens, semibold, theme_of};
-use crate::app::notices::Notice;
 use crate::app::paint;
-use crate::app::state::State;
 use crate::app::words::sentence;
+use crate::app::workbench::{Arrival, Intent, Notice, Workbench};
 use crate::equilibrium::{Progress, Run, Settings, Start};
 use crate::geometry::Vector;
 use crate::model::Problem;
@@ -84,24 +83,29 @@ impl Gallery {
 }
 
 /// Opens an example, after asking where unsaved work would be lost.
-pub(super) fn open(state: &mut State, example: &'static Example, ctx: &Context) {
+pub(super) fn open(bench: &mut Workbench, example: &'static Example, ctx: &Context) {
     match example.scene() {
         Ok(scene) => {
             let arrival = Arrival::of(scene);
-            files::request(state, Intent::Scene(Box::new(arrival)), ctx);
+            files::request(bench, Intent::Scene(Box::new(arrival)), ctx);
         }
-        Err(fault) => state
+        Err(fault) => bench
             .notices
             .tell(Notice::trouble(sentence(&fault.to_string()))),
     }
 }
 
-pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
-    if state.sheets.gallery.work() {
+pub(super) fn show(
+    ctx: &Context,
+    gallery: &mut Gallery,
+    bench: &mut Workbench,
+    fresh: bool,
+) -> Stays {
+    if gallery.work() {
         ctx.request_repaint();
     }
     let mut chosen = None;
-    let pictures = &state.sheets.gallery.pictures;
+    let pictures = &gallery.pictures;
     let stays = large(ctx, "gallery", "Examples", (960.0, 680.0), |ui| {
         let wide = ui.available_width();
         let columns = ((wide + GAP) / (LEAST + GAP)).floor().max(1.0);
@@ -140,7 +144,7 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
         }
     });
     if let Some(example) = chosen {
-        open(state, example, ctx);
+        open(bench, example, ctx);
         return Stays::Open;
     }
     stays

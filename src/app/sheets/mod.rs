@@ -8,11 +8,8 @@ mod help;
 mod palette;
 mod trouble;
 
-pub use trouble::Trouble;
-
-use super::files::Intent;
 use super::look::{Tokens, icon_button, icons, semibold};
-use super::state::State;
+use crate::app::workbench::{Trouble, Workbench};
 use eframe::egui::{
     Align, Align2, Color32, Context, Frame, Id, Layout, Margin, Modal, RichText, ScrollArea,
     Stroke, StrokeKind, Ui, vec2,
@@ -31,13 +28,6 @@ pub enum Sheet {
     Trouble(Trouble),
 }
 
-impl Sheet {
-    /// Something that did not work: a title, and why, in sentences.
-    pub fn trouble(title: impl Into<String>, reasons: Vec<String>) -> Trouble {
-        Trouble::new(title.into(), reasons)
-    }
-}
-
 impl From<Trouble> for Sheet {
     fn from(trouble: Trouble) -> Self {
         Sheet::Trouble(trouble)
@@ -48,47 +38,59 @@ impl From<Trouble> for Sheet {
 #[derive(Default)]
 pub struct Sheets {
     /// The sheet that is open.
-    pub sheet: Option<Sheet>,
-    /// What is to happen as soon as it is decided what becomes of unsaved work.
-    pub guard: Option<Intent>,
+    sheet: Option<Sheet>,
     palette: palette::Palette,
     gallery: gallery::Gallery,
     /// Whether the sheet was opened in this frame, so that it takes the focus.
     fresh: bool,
+    /// The document that it has seen, see [`Workbench::opened`].
+    opened: u64,
 }
 
 impl Sheets {
     /// Opens a sheet in the place of the one that is open.
-    pub fn show(&mut self, sheet: impl Into<Sheet>) {
+    pub fn open(&mut self, sheet: impl Into<Sheet>) {
         self.sheet = Some(sheet.into());
         self.palette = palette::Palette::default();
         self.fresh = true;
     }
 
-    /// Whether anything lies over the window.
-    pub fn is_open(&self) -> bool {
-        self.sheet.is_some() || self.guard.is_some()
+    /// Takes what the workbench has for it: another document closes the sheet,
+    /// and trouble opens one.
+    pub fn take_news(&mut self, bench: &mut Workbench) {
+        if self.opened != bench.opened {
+            self.opened = bench.opened;
+            self.sheet = None;
+        }
+        if let Some(trouble) = bench.trouble.take() {
+            self.open(trouble);
+        }
+    }
+
+    /// Whether anything lies over the window, now that it has taken its news.
+    pub fn is_open(&self, bench: &Workbench) -> bool {
+        self.sheet.is_some() || bench.files.guarded.is_some()
     }
 }
 
 /// Shows what lies over the window.
-pub fn show(ctx: &Context, state: &mut State) {
-    let fresh = std::mem::take(&mut state.sheets.fresh);
-    let stays = match &state.sheets.sheet {
+pub fn show(ctx: &Context, sheets: &mut Sheets, bench: &mut Workbench) {
+    sheets.take_news(bench);
+    let fresh = std::mem::take(&mut sheets.fresh);
+    let stays = match &sheets.sheet {
         None => Stays::Open,
-        Some(Sheet::Gallery) => gallery::show(ctx, state, fresh),
-        Some(Sheet::Palette) => palette::show(ctx, state, fresh),
+        Some(Sheet::Gallery) => gallery::show(ctx, &mut sheets.gallery, bench, fresh),
+        Some(Sheet::Palette) => palette::show(ctx, &mut sheets.palette, bench, fresh),
         Some(Sheet::Help) => help::show(ctx),
-        Some(Sheet::Trouble(trouble)) => {
-            let trouble = trouble.clone();
-            trouble::show(ctx, state, &trouble, fresh)
-        }
+        Some(Sheet::Trouble(trouble)) => trouble::show(ctx, bench, trouble, fresh),
     };
+    sheets.take_news(bench);
     // A sheet that opened another one does not close that.
-    if stays == Stays::Closed && !state.sheets.fresh {
-        state.sheets.sheet = None;
+    if stays == Stays::Closed && !sheets.fresh {
+        sheets.sheet = None;
     }
-    guard::show(ctx, state);
+    guard::show(ctx, bench);
+    sheets.take_news(bench);
 }
 
 /// Whether a sheet stays.

@@ -6,8 +6,8 @@ use crate::app::commands::{ALL, Command};
 use crate::app::examples::{EXAMPLES, Example};
 use crate::app::look::{Tokens, icon, icons};
 use crate::app::platform::Errand;
-use crate::app::state::State;
 use crate::app::words::shown;
+use crate::app::workbench::Workbench;
 use eframe::egui::{
     Context, Key, Label, Modifiers, Rect, RichText, ScrollArea, Sense, TextEdit, TextStyle, Ui,
     UiBuilder, WidgetInfo, pos2, vec2,
@@ -81,7 +81,7 @@ fn score(title: &str, typed: &str) -> Option<i32> {
     Some(16 * found - title.len().min(15) as i32)
 }
 
-fn lines(state: &State, ctx: &Context) -> Vec<Line> {
+fn lines(bench: &Workbench, ctx: &Context) -> Vec<Line> {
     let commands = ALL.iter().filter(|entry| entry.command != Command::Palette);
     let mut lines: Vec<Line> = commands
         .map(|entry| Line {
@@ -91,7 +91,7 @@ fn lines(state: &State, ctx: &Context) -> Vec<Line> {
             aside: entry
                 .shortcut
                 .map_or_else(String::new, |keys| ctx.format_shortcut(&keys)),
-            enabled: entry.command.is_enabled(state),
+            enabled: bench.allows(entry.command),
         })
         .collect();
     lines.extend(EXAMPLES.iter().map(|example| Line {
@@ -101,7 +101,7 @@ fn lines(state: &State, ctx: &Context) -> Vec<Line> {
         aside: example.group.title().to_owned(),
         enabled: true,
     }));
-    lines.extend(state.files.recent.iter().map(|path| Line {
+    lines.extend(bench.files.recent.iter().map(|path| Line {
         action: Action::Recent(path.clone()),
         icon: icons::FOLDER_OPEN,
         title: format!("Open recent: {}", shown(path)),
@@ -122,14 +122,18 @@ fn found(lines: Vec<Line>, typed: &str) -> Vec<Line> {
     scored.into_iter().map(|(_, line)| line).collect()
 }
 
-pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
+pub(super) fn show(
+    ctx: &Context,
+    palette: &mut Palette,
+    bench: &mut Workbench,
+    fresh: bool,
+) -> Stays {
     let mut chosen = None;
     let again = ctx.input_mut(|input| {
         input.consume_key(Modifiers::COMMAND, Key::K)
             || input.consume_key(Modifiers::COMMAND | Modifiers::SHIFT, Key::P)
     });
     let stays = at_top(ctx, "palette", 560.0, |ui| {
-        let palette = &mut state.sheets.palette;
         // Before the field sees them.
         let (up, down, enter) = ui.input_mut(|input| {
             let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
@@ -151,8 +155,7 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
             palette.line = 0;
         }
         let typed = palette.typed.clone();
-        let found = found(lines(state, ui.ctx()), &typed);
-        let palette = &mut state.sheets.palette;
+        let found = found(lines(bench, ui.ctx()), &typed);
         let last = found.len().saturating_sub(1);
         let before = palette.line;
         if down {
@@ -200,11 +203,10 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
     });
     match chosen {
         Some(line) if line.enabled => {
-            state.sheets.sheet = None;
             match line.action {
-                Action::Command(command) => state.commands.push(command),
-                Action::Example(example) => super::gallery::open(state, example, ctx),
-                Action::Recent(path) => state.files.platform.read(Errand::Scene, path),
+                Action::Command(command) => bench.commands.push(command),
+                Action::Example(example) => super::gallery::open(bench, example, ctx),
+                Action::Recent(path) => bench.files.platform.read(Errand::Scene, path),
             }
             Stays::Closed
         }
