@@ -2,10 +2,10 @@
 //! the free robot's arc.
 
 use super::cache::PlotCache;
-use super::data::{Link, Plot, PlotAction, PlotData};
-use super::export::cell;
+use super::data::{Link, Plot, PlotData};
 use super::pane::{
-    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
+    Asked, Quantities, Surface, Text, Whole, canvas, cell, curve, empty, header, hue, named,
+    ordinate,
 };
 use crate::app::look::{Tokens, theme_of};
 use crate::app::workbench::Hovered;
@@ -19,7 +19,7 @@ pub(super) fn show(
     data: &PlotData<'_>,
     cache: &PlotCache,
     link: &mut Link,
-) -> Option<PlotAction> {
+) -> Option<Asked> {
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
     let shape = &cache.shape;
     let segments = data.solution.bends.len();
@@ -40,10 +40,10 @@ pub(super) fn show(
         unit: "°",
     };
     let name = ordinate(&angle, &tokens);
-    let action = header(ui, Plot::Bends, data, cache, name, reading, |_| {});
+    let asked = header(ui, Plot::Bends, name, reading, |_| {});
     if segments == 0 {
         empty(ui, "The first shape is being solved.", |_| {});
-        return action;
+        return asked;
     }
     let abscissa = Quantities {
         name: "Segment, from the base",
@@ -108,7 +108,7 @@ pub(super) fn show(
             names.push(surface.name(at, anchor, Text::of(name, ink)));
         }
     }
-    action
+    asked
 }
 
 pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {

@@ -4,7 +4,6 @@ use super::cache::PlotCache;
 use super::data::{Plot, PlotData};
 use super::{bends, energy, force, multipliers, tip};
 use crate::experiments::Chart;
-use crate::math::unsigned_zero;
 use crate::report::chart::{ChartError, svg_column};
 
 /// The numbers of a plot, as CSV with a row of names that carry the units.
@@ -25,11 +24,6 @@ pub fn csv(plot: Plot, data: &PlotData<'_>) -> String {
     debug_assert!(written.is_ok(), "{written:?}");
     let bytes = table.into_inner().unwrap_or_default();
     String::from_utf8_lossy(&bytes).into_owned()
-}
-
-/// A number in a table, with all its digits.
-pub(super) fn cell(value: f64) -> String {
-    unsigned_zero(value).to_string()
 }
 
 /// A plot as SVG.

@@ -2,10 +2,10 @@
 //! is known, by virtual work where a reading fixes μ, and what was read.
 
 use super::cache::{PlotCache, value_at};
-use super::data::{Link, Plot, PlotAction, PlotData};
-use super::export::cell;
+use super::data::{Link, Plot, PlotData};
 use super::pane::{
-    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
+    Asked, Quantities, Surface, Text, Whole, canvas, cell, curve, empty, header, hue, named,
+    ordinate,
 };
 use crate::app::look::{Tokens, theme_of};
 use crate::app::words;
@@ -52,7 +52,7 @@ pub(super) fn show(
     data: &PlotData<'_>,
     cache: &PlotCache,
     link: &mut Link,
-) -> Option<PlotAction> {
+) -> Option<Asked> {
     let tokens = Tokens::in_ui(ui);
     let force = Quantities {
         name: "Force on obstacles",
@@ -68,9 +68,9 @@ pub(super) fn show(
             .value("force", &Quantity::significant(force, "g"), &tokens);
     }
     let name = ordinate(&force, &tokens);
-    let mut action = header(ui, Plot::Force, data, cache, name, reading, |_| {});
+    let mut asked = header(ui, Plot::Force, name, reading, |_| {});
     if let Some(asked) = nothing(ui, data, cache) {
-        return asked.or(action);
+        return asked.or(asked);
     }
     let shown = curves(ui, data, cache);
     let (response, transform) = (shown.response, shown.transform);
@@ -108,9 +108,9 @@ pub(super) fn show(
         }
     }
     if data.readings().is_empty() || data.stiffness().is_none() {
-        action = action.or(missing(ui, data, &surface));
+        asked = asked.or(missing(ui, data, &surface));
     }
-    action
+    asked
 }
 
 /// The curve's point at the pull that the pointer is on somewhere.
@@ -122,17 +122,17 @@ fn twin(cache: &PlotCache, link: &Link) -> Option<LoadPoint> {
 }
 
 /// What a plot without anything to show says; `None` where there is something.
-fn nothing(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> Option<Option<PlotAction>> {
+fn nothing(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> Option<Option<Asked>> {
     let forces = &cache.forces;
     let mut asked = None;
     if data.stiffness().is_none() && data.readings().is_empty() {
         let sentence = "Forces in grams need the backbone's stiffness or a measured force.";
         empty(ui, sentence, |ui| {
             if ui.button("Set the stiffness").clicked() {
-                asked = Some(PlotAction::AskStiffness);
+                asked = Some(Asked::Stiffness);
             }
             if ui.button("Add a reading").clicked() {
-                asked = Some(PlotAction::AskReading);
+                asked = Some(Asked::Reading);
             }
         });
         return Some(asked);
@@ -358,11 +358,11 @@ fn told(response: Response, data: &PlotData<'_>, cache: &PlotCache, index: usize
 }
 
 /// What would add the other of the two ways, as a quiet button in the corner.
-fn missing(ui: &mut Ui, data: &PlotData<'_>, surface: &Surface<'_>) -> Option<PlotAction> {
+fn missing(ui: &mut Ui, data: &PlotData<'_>, surface: &Surface<'_>) -> Option<Asked> {
     let (text, asked) = if data.stiffness().is_none() {
-        ("Set the stiffness", PlotAction::AskStiffness)
+        ("Set the stiffness", Asked::Stiffness)
     } else {
-        ("Add a reading", PlotAction::AskReading)
+        ("Add a reading", Asked::Reading)
     };
     let frame = surface.frame();
     let size = vec2(118.0, 22.0);

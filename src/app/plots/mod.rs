@@ -25,6 +25,7 @@ pub use data::{Link, Plot, PlotAction, PlotData};
 pub use export::{csv, svg};
 
 use eframe::egui::Ui;
+use pane::Asked;
 
 /// Shows a plot in the room there is.
 pub fn show(
@@ -36,11 +37,28 @@ pub fn show(
 ) -> Option<PlotAction> {
     cache.refresh(data);
     let cache = &*cache;
-    match plot {
+    let asked = match plot {
         Plot::Multipliers => multipliers::show(ui, data, cache, link),
         Plot::Tip => tip::show(ui, data, cache, link),
         Plot::Force => force::show(ui, data, cache, link),
         Plot::Energy => energy::show(ui, data, cache, link),
         Plot::Bends => bends::show(ui, data, cache, link),
+    };
+    match asked? {
+        Asked::Csv => Some(saved(plot, "csv", csv(plot, data))),
+        Asked::Svg => {
+            let text = export::svg_from(plot, data, cache).ok()?;
+            Some(saved(plot, "svg", text))
+        }
+        Asked::Stiffness => Some(PlotAction::AskStiffness),
+        Asked::Reading => Some(PlotAction::AskReading),
+    }
+}
+
+fn saved(plot: Plot, extension: &'static str, text: String) -> PlotAction {
+    PlotAction::Save {
+        name: plot.word().to_owned(),
+        extension,
+        bytes: text.into_bytes(),
     }
 }

@@ -3,9 +3,10 @@
 
 use super::cache::PlotCache;
 use super::cache::{Side, Stem, Twin};
-use super::data::{Link, Plot, PlotAction, PlotData};
-use super::export::cell;
-use super::pane::{Quantities, Surface, Text, Whole, canvas, header, heat, named, ordinate};
+use super::data::{Link, Plot, PlotData};
+use super::pane::{
+    Asked, Quantities, Surface, Text, Whole, canvas, cell, header, heat, named, ordinate,
+};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::words;
 use crate::app::workbench::Hovered;
@@ -52,7 +53,7 @@ pub(super) fn show(
     data: &PlotData<'_>,
     cache: &PlotCache,
     link: &mut Link,
-) -> Option<PlotAction> {
+) -> Option<Asked> {
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
     let shape = &cache.shape;
     let (factor, unit) = scale(shape.greatest);
@@ -62,7 +63,7 @@ pub(super) fn show(
     };
     let reading = reading(data, link, &tokens);
     let name = ordinate(&multiplier, &tokens);
-    let action = header(ui, Plot::Multipliers, data, cache, name, reading, |_| {});
+    let asked = header(ui, Plot::Multipliers, name, reading, |_| {});
     let abscissa = Quantities {
         name: "Node, from 0 at the base",
         unit: "",
@@ -117,7 +118,7 @@ pub(super) fn show(
             }
         };
     }
-    action
+    asked
 }
 
 /// What the cursor is on, in words and numbers.

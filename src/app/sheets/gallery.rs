@@ -1,7 +1,7 @@
 //! The gallery of examples: cards with the real solved drawing, solved while
 //! the gallery is open, a few milliseconds a frame.
 
-use super::{Stays, caption, large};
+use super::frame::{Stays, caption, large};
 use crate::app::examples::{EXAMPLES, Example, Group};
 use crate::app::files;
 use crate::app::look::{Tokens, semibold, theme_of};

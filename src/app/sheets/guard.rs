@@ -1,6 +1,6 @@
 //! The question in front of whatever would throw unsaved work away.
 
-use super::{main_button, modal, plain_button, room};
+use super::frame::{main_button, modal, plain_button, room};
 use crate::app::files::{self, Saving};
 use crate::app::look::semibold;
 use crate::app::workbench::{Intent, Workbench};

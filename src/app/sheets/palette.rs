@@ -1,7 +1,7 @@
 //! The palette: every command, example and recent file by a few of its
 //! letters.
 
-use super::{Stays, at_top};
+use super::frame::{Stays, at_top};
 use crate::app::commands::{ALL, Command};
 use crate::app::examples::{EXAMPLES, Example};
 use crate::app::look::{Tokens, icon, icons};
@@ -33,7 +33,7 @@ enum Action {
 }
 
 #[derive(Clone, Debug)]
-struct Line {
+struct Choice {
     action: Action,
     icon: &'static str,
     title: String,
@@ -81,10 +81,10 @@ fn score(title: &str, typed: &str) -> Option<i32> {
     Some(16 * found - title.len().min(15) as i32)
 }
 
-fn lines(bench: &Workbench, ctx: &Context) -> Vec<Line> {
+fn lines(bench: &Workbench, ctx: &Context) -> Vec<Choice> {
     let commands = ALL.iter().filter(|entry| entry.command != Command::Palette);
-    let mut lines: Vec<Line> = commands
-        .map(|entry| Line {
+    let mut lines: Vec<Choice> = commands
+        .map(|entry| Choice {
             action: Action::Command(entry.command),
             icon: entry.icon,
             title: entry.title.to_owned(),
@@ -94,14 +94,14 @@ fn lines(bench: &Workbench, ctx: &Context) -> Vec<Line> {
             enabled: bench.allows(entry.command),
         })
         .collect();
-    lines.extend(EXAMPLES.iter().map(|example| Line {
+    lines.extend(EXAMPLES.iter().map(|example| Choice {
         action: Action::Example(example),
         icon: icons::GRADUATION_CAP,
         title: format!("Open example: {}", example.title),
         aside: example.group.title().to_owned(),
         enabled: true,
     }));
-    lines.extend(bench.files.recent.iter().map(|path| Line {
+    lines.extend(bench.files.recent.iter().map(|path| Choice {
         action: Action::Recent(path.clone()),
         icon: icons::FOLDER_OPEN,
         title: format!("Open recent: {}", shown(path)),
@@ -112,8 +112,8 @@ fn lines(bench: &Workbench, ctx: &Context) -> Vec<Line> {
 }
 
 /// The lines that answer what was typed, the best first.
-fn found(lines: Vec<Line>, typed: &str) -> Vec<Line> {
-    let mut scored: Vec<(i32, Line)> = lines
+fn found(lines: Vec<Choice>, typed: &str) -> Vec<Choice> {
+    let mut scored: Vec<(i32, Choice)> = lines
         .into_iter()
         .filter_map(|line| Some((score(&line.title, typed)?, line)))
         .collect();
@@ -215,7 +215,7 @@ pub(super) fn show(
     }
 }
 
-fn row(ui: &mut Ui, line: &Line, current: bool) -> eframe::egui::Response {
+fn row(ui: &mut Ui, line: &Choice, current: bool) -> eframe::egui::Response {
     let tokens = Tokens::in_ui(ui);
     let size = vec2(ui.available_width(), LINE);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());

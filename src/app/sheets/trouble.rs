@@ -1,6 +1,6 @@
 //! Something that did not work: what, every reason, and a way out.
 
-use super::{Stays, caption, main_button, modal, plain_button, room};
+use super::frame::{Stays, caption, main_button, modal, plain_button, room};
 use crate::app::look::{Tokens, icon_font, icons, semibold};
 use crate::app::workbench::{Trouble, Workbench};
 use eframe::egui::{Align, Context, Layout, RichText, ScrollArea};
