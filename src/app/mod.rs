@@ -42,7 +42,7 @@ mod space;
 mod widgets;
 pub mod window;
 mod words;
-mod workbench;
+pub mod workbench;
 
 pub use canvas::Canvas;
 pub use commands::Command;

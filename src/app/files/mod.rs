@@ -3,8 +3,10 @@
 //!
 //! An [`Intent`] says what is to take the place of the document. [`request`]
 //! carries it out at once, or asks first where there is unsaved work. Files
-//! come and go through the [`Platform`](super::platform::Platform); what comes of them is met in
+//! come and go through the [`Platform`]; what comes of them is met in
 //! [`arrive`].
+//!
+//! [`Platform`]: super::platform::Platform
 
 pub mod autosave;
 mod drop;
@@ -17,7 +19,7 @@ pub use open::scene_from;
 
 use super::platform::{Destination, Errand, News};
 use super::words::{self, sentence, shown};
-use crate::app::workbench::{Arrival, Asked, Intent, Notice, Saved, Trouble, Workbench};
+use super::workbench::{Arrival, Asked, Intent, Notice, Saved, Trouble, Workbench};
 use crate::scene::{Candidates, Scene};
 use eframe::egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
@@ -63,6 +65,12 @@ pub fn pick(bench: &mut Workbench, errand: Errand) {
     ask(bench, errand);
     let folder = folder(bench);
     bench.files.platform.pick(errand, folder.as_deref());
+}
+
+/// Reads a scene's file that is known already, to be opened like one that was
+/// picked.
+pub fn reopen(bench: &mut Workbench, path: PathBuf) {
+    bench.files.platform.read(Errand::Scene, path);
 }
 
 /// Notes that a dialog is open.

@@ -6,7 +6,7 @@ mod import;
 
 pub use import::import;
 
-use crate::app::workbench::{Basis, Best, Notice, Playing, Search, Workbench};
+use super::workbench::{Basis, Best, Notice, Playing, Search, Workbench};
 use crate::experiments::{Measured, MeasuredFault, ShapeFit, best_pull, compare};
 use crate::units::millimetres;
 use eframe::egui::Context;

@@ -1,8 +1,8 @@
 //! The menu: all commands by group, from their list, and the recent files.
 
 use crate::app::commands::{ALL, Command, Group};
+use crate::app::files;
 use crate::app::look::{Tokens, fits_fingers, icon, icons, semibold};
-use crate::app::platform::Errand;
 use crate::app::widgets::row;
 use crate::app::words::shown;
 use crate::app::workbench::Workbench;
@@ -97,6 +97,6 @@ fn recent(ui: &mut Ui, bench: &mut Workbench) {
         }
     });
     if let Some(path) = chosen {
-        bench.files.platform.read(Errand::Scene, path);
+        files::reopen(bench, path);
     }
 }

@@ -20,13 +20,13 @@ pub use settings::settings_id;
 use super::workbench::Workbench;
 use eframe::egui::Ui;
 use outline::Outline;
-use status::Status;
+use status::StatusChip;
 
 /// What the panels keep from frame to frame.
 #[derive(Debug, Default)]
 pub struct Panels {
     outline: Outline,
-    status: Status,
+    chip: StatusChip,
 }
 
 /// Shows outline and inspector.
@@ -39,12 +39,12 @@ pub fn scene(ui: &mut Ui, panels: &mut Panels, bench: &mut Workbench) {
 
 /// Shows the transport bar.
 pub fn transport(ui: &mut Ui, panels: &mut Panels, bench: &mut Workbench) {
-    transport::show(ui, &mut panels.status, bench);
+    transport::show(ui, &mut panels.chip, bench);
 }
 
 /// Shows the certificate's window, if it is open.
 pub fn certificate(ui: &mut Ui, panels: &mut Panels, bench: &mut Workbench) {
-    if panels.status.certificate {
-        status::certificate(ui, &mut panels.status.certificate, bench);
+    if panels.chip.certificate {
+        status::certificate(ui, &mut panels.chip.certificate, bench);
     }
 }

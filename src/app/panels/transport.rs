@@ -1,7 +1,7 @@
 //! The transport bar: playing the pull, its slider across the window with what
 //! happens on the way, and the load where the stiffness is known.
 
-use super::status::{self, Status};
+use super::status::{self, StatusChip};
 use super::track;
 use crate::app::commands::Command;
 use crate::app::look::{Segment, icon_button, icons, segments};
@@ -20,14 +20,14 @@ const CRAMPED: f32 = 364.0;
 const FIELD: f32 = 84.0;
 
 /// Shows the transport bar with the status chip at its right end.
-pub fn show(ui: &mut Ui, status: &mut Status, bench: &mut Workbench) {
+pub fn show(ui: &mut Ui, chip: &mut StatusChip, bench: &mut Workbench) {
     let bar = ui.available_width();
     let row = vec2(bar, ui.spacing().interact_size.y);
     let layout = Layout::right_to_left(Align::Center);
     let narrow = bar < NARROW;
     let loads = ui.allocate_ui_with_layout(row, layout, |ui| {
         ui.spacing_mut().item_spacing.x = 16.0;
-        status::show(ui, status, bench, bar);
+        status::show(ui, chip, bench, bar);
         let layout = Layout::left_to_right(Align::Center);
         let controls = ui.with_layout(layout, |ui| {
             ui.spacing_mut().item_spacing.x = 8.0;

@@ -6,7 +6,7 @@ use super::commands::Command;
 use super::pixels::Decoded;
 use super::platform::Errand;
 use super::words::{self, sentence, shown};
-use crate::app::workbench::{Coming, Notice, Photograph, Selection, Trouble, Workbench};
+use super::workbench::{Coming, Notice, Photograph, Selection, Trouble, Workbench};
 use crate::scene::{Photo, limits};
 use crate::units::millimetres;
 use crate::view::Bounds;

@@ -10,7 +10,7 @@
 
 mod bends;
 mod cache;
-mod data;
+pub mod data;
 mod energy;
 mod export;
 mod force;

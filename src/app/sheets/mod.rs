@@ -90,3 +90,28 @@ pub fn show(ctx: &Context, sheets: &mut Sheets, bench: &mut Workbench) {
     guard::show(ctx, bench);
     sheets.take_news(bench);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+
+    #[test]
+    fn another_document_closes_a_sheet_and_trouble_opens_one() {
+        let mut bench = Workbench::with(Scene::default());
+        let mut sheets = Sheets::default();
+        sheets.open(Sheet::Gallery);
+        sheets.take_news(&mut bench);
+        assert!(sheets.is_open(&bench));
+        bench.open(Scene::default()).unwrap();
+        sheets.take_news(&mut bench);
+        assert!(!sheets.is_open(&bench));
+        let trouble = Trouble::new("It cannot be opened", vec!["It is empty.".to_owned()]);
+        bench.open(Scene::default()).unwrap();
+        bench.trouble = Some(trouble.clone());
+        sheets.take_news(&mut bench);
+        assert_eq!(sheets.sheet, Some(Sheet::Trouble(trouble)));
+        // It is told once.
+        assert_eq!(bench.trouble, None);
+    }
+}

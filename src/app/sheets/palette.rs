@@ -4,8 +4,8 @@
 use super::frame::{Stays, at_top};
 use crate::app::commands::{ALL, Command};
 use crate::app::examples::{EXAMPLES, Example};
+use crate::app::files;
 use crate::app::look::{Tokens, icon, icons};
-use crate::app::platform::Errand;
 use crate::app::words::shown;
 use crate::app::workbench::Workbench;
 use eframe::egui::{
@@ -206,7 +206,7 @@ pub(super) fn show(
             match line.action {
                 Action::Command(command) => bench.commands.push(command),
                 Action::Example(example) => super::gallery::open(bench, example, ctx),
-                Action::Recent(path) => bench.files.platform.read(Errand::Scene, path),
+                Action::Recent(path) => files::reopen(bench, path),
             }
             Stays::Closed
         }

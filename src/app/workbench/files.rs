@@ -12,7 +12,7 @@ const MOST_RECENT: usize = 10;
 /// What is to take the place of the document.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Intent {
-    /// The paper's robot with nothing around it, as [`crate::app::files::blank`] makes it.
+    /// A new scene: the robot with nothing around it.
     New,
     /// A scene that is kept nowhere: an example, a link, a file's contents.
     Scene(Box<Arrival>),

@@ -248,3 +248,68 @@ impl Workbench {
         self.live.redraw(&notes);
     }
 }
+
+#[cfg(test)]
+impl Workbench {
+    /// A workbench of a test: a scene that can be solved, and the solver at hand.
+    pub fn with(scene: Scene) -> Self {
+        let document = Document::new(scene).unwrap();
+        let backend = super::backend::Inline::to_the_end();
+        Self::new(document, Box::new(backend), Preferences::default())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Shape;
+
+    fn with_disc(x_mm: f64) -> Scene {
+        let mut scene = Scene::default();
+        let disc = Shape::Disc {
+            center_mm: [x_mm, 100.0],
+            radius_mm: 5.0,
+        };
+        scene.obstacles.push(disc.into());
+        scene
+    }
+
+    #[test]
+    fn what_is_refused_is_told_until_something_else_is_looked_at() {
+        let ctx = Context::default();
+        let mut bench = Workbench::with(with_disc(60.0));
+        bench.selection = Selection::Obstacle(0);
+        bench.inspect();
+        // Another disc, over the robot's base: it goes, and so does that it was
+        // selected, but not why.
+        let mut other = with_disc(0.0).obstacles.remove(0);
+        other.shape.move_to_mm([0.0, 0.0]);
+        bench.document.scene.obstacles.push(other);
+        bench.selection = Selection::Obstacle(1);
+        bench.take_edits(&ctx);
+        assert_eq!(bench.document.scene, with_disc(60.0));
+        assert_eq!(bench.selection, Selection::Nothing);
+        bench.inspect();
+        assert!(bench.refusal.is_some());
+        bench.selection = Selection::Robot;
+        bench.inspect();
+        assert!(bench.refusal.is_none());
+    }
+
+    #[test]
+    fn another_document_is_counted_and_has_no_trace() {
+        let mut bench = Workbench::with(with_disc(60.0));
+        bench.poll();
+        assert_eq!(bench.trace.points().len(), 1);
+        bench.selection = Selection::Robot;
+        bench.open(with_disc(70.0)).unwrap();
+        assert_eq!((bench.opened, bench.selection), (1, Selection::Nothing));
+        assert!(bench.trace.points().is_empty());
+        // One that cannot be solved changes nothing.
+        let mut scene = with_disc(60.0);
+        scene.robot.length_mm = -1.0;
+        assert!(bench.open(scene).is_err());
+        assert_eq!(bench.opened, 1);
+        assert_eq!(bench.document.scene, with_disc(70.0));
+    }
+}

@@ -80,3 +80,32 @@ pub(super) fn span(document: &Document) -> (f64, f64) {
     let (least, most) = span_mm_of(document);
     (metres(least), metres(most))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hand_on_the_robot_stops_playing_and_one_on_the_slider_does_not() {
+        let mut bench = Workbench::with(Scene::default());
+        bench.play_or_pause();
+        bench.set_pull(3.0, Playing::GoesOn);
+        bench.play_on(0.1);
+        assert!((bench.pull_mm() - 3.2).abs() < 1e-12);
+        bench.set_pull(4.0, Playing::Stops);
+        bench.play_on(0.1);
+        assert_eq!(bench.pull_mm(), 4.0);
+    }
+
+    #[test]
+    fn a_pull_beyond_the_span_becomes_its_end() {
+        let mut bench = Workbench::with(Scene::default());
+        bench.set_pull(1.0, Playing::Stops);
+        let (least, most) = bench.span_mm();
+        bench.set_pull_within_span(1e3, Playing::Stops);
+        assert_eq!(bench.pull_mm(), most);
+        bench.set_pull(1.0, Playing::Stops);
+        bench.set_pull_within_span(-1e3, Playing::Stops);
+        assert_eq!(bench.pull_mm(), least);
+    }
+}

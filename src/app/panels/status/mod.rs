@@ -31,7 +31,7 @@ const ROOMY: f32 = 900.0;
 
 /// What the chip and the certificate keep from frame to frame.
 #[derive(Debug, Default)]
-pub struct Status {
+pub struct StatusChip {
     /// Whether the certificate is open.
     pub certificate: bool,
     /// What the chip told last, and when.
@@ -48,15 +48,15 @@ pub fn width(bar: f32) -> f32 {
 }
 
 /// Shows the chip at the right end of a bar of some width.
-pub fn show(ui: &mut Ui, status: &mut Status, bench: &mut Workbench, bar: f32) {
-    let verdict = steady(ui, status, &bench.live);
+pub fn show(ui: &mut Ui, chip: &mut StatusChip, bench: &mut Workbench, bar: f32) {
+    let verdict = steady(ui, chip, &bench.live);
     let size = vec2(width(bar), ui.spacing().interact_size.y);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let tokens = Tokens::in_ui(ui);
     let painter = ui.painter();
     if response.is_pointer_button_down_on() {
         painter.rect_filled(rect, CornerRadius::same(6), tokens.held);
-    } else if response.hovered() || status.certificate {
+    } else if response.hovered() || chip.certificate {
         painter.rect_filled(rect, CornerRadius::same(6), tokens.hover);
     }
     row::focus(ui, &response);
@@ -100,15 +100,15 @@ pub fn show(ui: &mut Ui, status: &mut Status, bench: &mut Workbench, bar: f32) {
         WidgetInfo::labeled(Role::Button, ui.is_enabled(), told)
     });
     if response.on_hover_text(tip(bench, verdict)).clicked() {
-        status.certificate ^= true;
+        chip.certificate ^= true;
     }
 }
 
 /// The verdict, or what it was before while a solve has only just begun.
-fn steady(ui: &Ui, status: &mut Status, live: &Live) -> Verdict {
+fn steady(ui: &Ui, chip: &mut StatusChip, live: &Live) -> Verdict {
     let now = ui.input(|input| input.time);
     let verdict = Verdict::of(live);
-    let told = &mut status.told;
+    let told = &mut chip.told;
     if verdict != Verdict::Solving {
         *told = Some((verdict, now));
         return verdict;
