@@ -67,7 +67,7 @@ impl Window {
         let Ok(mut app) = opened else {
             panic!("a window on the scene of this bench");
         };
-        app.state_mut().commands.push(Command::SpreadPlots);
+        app.bench_mut().commands.push(Command::SpreadPlots);
         let mut window = Self {
             ctx,
             app,
@@ -112,7 +112,7 @@ impl Window {
 
     /// Moves the pull a little, so that the next frame shows a new solution.
     fn pull(&mut self, to_mm: f64) {
-        self.app.state_mut().document.scene.actuation.pull_mm = to_mm;
+        self.app.bench_mut().document.scene.actuation.pull_mm = to_mm;
     }
 }
 
@@ -161,22 +161,22 @@ fn drag_to_new_shape(bencher: Bencher<'_, '_>, segments: u32) {
     bencher.bench_local(|| {
         count += 1;
         let away = 10.0 + (count % 20) as f32;
-        let before = window.app.state().live.revision();
+        let before = window.app.bench().live.revision();
         window.frame(vec![Event::PointerMoved(start + vec2(away, 0.0))]);
-        let asked = window.app.state().live.revision();
+        let asked = window.app.bench().live.revision();
         assert!(asked > before, "the drag moves the disc");
-        while window.app.state().live.is_waiting() {
+        while window.app.bench().live.is_waiting() {
             window.wait_briefly();
             window.frame(Vec::new());
         }
-        window.app.state().live.revision()
+        window.app.bench().live.revision()
     });
 }
 
 /// The middle of the lower disc on the screen.
 fn disc(window: &Window) -> Pos2 {
-    let obstacle = &window.app.state().live.problem().obstacles()[0];
-    let frame = window.app.state().canvas.frame();
+    let obstacle = &window.app.bench().live.problem().obstacles()[0];
+    let frame = window.app.canvas().frame();
     let at = frame.to_screen(obstacle.position());
     pos2(at.x as f32, at.y as f32)
 }

@@ -7,8 +7,8 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     #[cfg(feature = "app")]
-    if let Some(opening) = sinew::app::window::asked_for(std::env::args_os().skip(1)) {
-        return sinew::app::window::open(&opening);
+    if let Some(opening) = sinew::app::desktop::asked_for(std::env::args_os().skip(1)) {
+        return sinew::app::desktop::open(&opening);
     }
     sinew::cli::run()
 }

@@ -17,10 +17,10 @@ use window_harness::{Window, scene};
 /// What every solution promises: it is certified, and nothing is inside of
 /// anything, to the certificate's 1e-9 of the length.
 fn keeps_out(window: &Window) {
-    let state = window.state();
-    assert!(state.live.is_settled());
-    let solution = state.live.solution().unwrap();
-    for clearance in solution.clearances(state.live.problem()) {
+    let bench = window.bench();
+    assert!(bench.live.is_settled());
+    let solution = bench.live.solution().unwrap();
+    for clearance in solution.clearances(bench.live.problem()) {
         assert!(clearance.clearance > -2e-10, "{clearance:?}");
     }
 }
@@ -47,22 +47,22 @@ fn square() -> Shape {
 #[test]
 fn a_disc_dragged_into_the_robot_pushes_it() {
     let mut window = Window::open(Some(scene(4.9, [disc()])));
-    assert_eq!(window.state().live.solution().unwrap().contacts.len(), 0);
+    assert_eq!(window.bench().live.solution().unwrap().contacts.len(), 0);
     let before = window.scene().clone();
     let path = [window.at(72.0, 92.0), window.at(35.0, 92.0)];
     window.hold(&path);
     window.shoot("drag-disc");
-    assert!(!window.state().live.solution().unwrap().contacts.is_empty());
+    assert!(!window.bench().live.solution().unwrap().contacts.is_empty());
     keeps_out(&window);
     window.release(path[1]);
     // It is where the pointer is, held where it was taken hold of. Places are
     // rounded to 0.01 mm; a click's first pixels count as well.
     let moved = center(window.shape(0)) - Vector::new(33.0, 90.0);
     assert!(moved.norm() < 0.3, "{moved}");
-    assert_eq!(window.state().selection, Selection::Obstacle(0));
+    assert_eq!(window.bench().selection, Selection::Obstacle(0));
     window.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(*window.scene(), before);
-    assert!(!window.state().history.can_undo(window.scene()));
+    assert!(!window.bench().history.can_undo(window.scene()));
 }
 
 #[test]
@@ -79,7 +79,7 @@ fn escape_takes_a_drag_back_exactly() {
     assert_eq!(*window.scene(), before);
     window.release(window.at(80.0, 80.0));
     assert_eq!(*window.scene(), before);
-    assert!(!window.state().history.can_undo(window.scene()));
+    assert!(!window.bench().history.can_undo(window.scene()));
 }
 
 #[test]
@@ -185,7 +185,7 @@ fn polygons_gain_lose_and_move_vertices() {
     assert!(corner.norm() < 0.3, "{corner}");
     // Pulled through the opposite side it stops before.
     window.drag(&[window.at(112.0, 118.0), window.at(50.0, 60.0)]);
-    assert!(window.state().refusal.is_none());
+    assert!(window.bench().refusal.is_none());
     let corner = Vector::from(points(&window)[2]);
     assert!(
         corner.x + corner.y > 170.0 && corner.x + corner.y < 173.0,
@@ -210,7 +210,7 @@ fn the_view_is_moved_and_zoomed_at_the_pointer() {
     let empty = window.at(110.0, 40.0);
     let world = |window: &Window, at: Pos2| {
         let at = Vector::new(f64::from(at.x), f64::from(at.y));
-        window.state().canvas.frame().to_world(at)
+        window.canvas().frame().to_world(at)
     };
     let there = empty + vec2(-60.0, 30.0);
     let held = world(&window, empty);
@@ -227,7 +227,7 @@ fn the_view_is_moved_and_zoomed_at_the_pointer() {
     window.button(post + vec2(40.0, 10.0), PointerButton::Middle, false);
     let post = post + vec2(40.0, 10.0);
     assert!((world(&window, post) - held).norm() < 1e-6, "middle button");
-    let scale = window.state().canvas.frame().scale;
+    let scale = window.canvas().frame().scale;
     window.harness.event(Event::MouseWheel {
         unit: MouseWheelUnit::Line,
         delta: vec2(0.0, 3.0),
@@ -236,7 +236,7 @@ fn the_view_is_moved_and_zoomed_at_the_pointer() {
         modifiers: Modifiers::NONE,
     });
     window.harness.run();
-    assert!(window.state().canvas.frame().scale > 1.2 * scale);
+    assert!(window.canvas().frame().scale > 1.2 * scale);
     assert!((world(&window, post) - held).norm() < 1e-6, "wheel");
     // Space held drags the view off an obstacle too, and plays nothing.
     window.harness.key_down(Key::Space);
@@ -246,19 +246,19 @@ fn the_view_is_moved_and_zoomed_at_the_pointer() {
     window.harness.run();
     let post = post + vec2(0.0, 50.0);
     assert!((world(&window, post) - held).norm() < 1e-6, "space");
-    assert!(!window.state().transport.is_playing());
+    assert!(!window.bench().transport.is_playing());
     assert_eq!(*window.scene(), before);
     // Without a drag it plays.
     window.harness.key_press(Key::Space);
     window.harness.run_steps(4);
-    assert!(window.state().transport.is_playing());
+    assert!(window.bench().transport.is_playing());
 }
 
 #[test]
 fn two_fingers_move_the_view_and_leave_the_scene() {
     let mut window = Window::open(None);
     let before = window.scene().clone();
-    let scale = window.state().canvas.frame().scale;
+    let scale = window.canvas().frame().scale;
     let post = window.at(33.0, 89.0);
     let touch = |window: &mut Window, id: u64, phase, at: Pos2| {
         window.harness.event(Event::Touch {
@@ -280,7 +280,7 @@ fn two_fingers_move_the_view_and_leave_the_scene() {
     touch(&mut window, 2, TouchPhase::Move, post + vec2(90.0, 0.0));
     touch(&mut window, 2, TouchPhase::Move, post + vec2(120.0, 0.0));
     assert_eq!(*window.scene(), before);
-    assert!(window.state().canvas.frame().scale > 1.3 * scale);
+    assert!(window.canvas().frame().scale > 1.3 * scale);
 }
 
 #[test]
@@ -288,7 +288,7 @@ fn a_double_click_on_the_plane_adds_a_disc() {
     let mut window = Window::open(None);
     window.double_click(window.at(100.0, 60.0));
     assert_eq!(window.scene().obstacles.len(), 3);
-    assert_eq!(window.state().selection, Selection::Obstacle(2));
+    assert_eq!(window.bench().selection, Selection::Obstacle(2));
     let off = center(window.shape(2)) - Vector::new(100.0, 60.0);
     assert!(off.norm() < 0.3, "{off}");
     window.key_with(Modifiers::COMMAND, Key::Z);
@@ -300,7 +300,7 @@ fn tools_place_by_click_and_by_drag() {
     let mut window = Window::open(None);
     window.harness.get_by_label_contains("Add a box").click();
     window.harness.run();
-    assert_eq!(window.state().canvas.tool(), Tool::Box);
+    assert_eq!(window.canvas().tool(), Tool::Box);
     window.point(window.at(90.0, 40.0));
     window.shoot("tool");
     window.drag(&[window.at(90.0, 40.0), window.at(120.0, 60.0)]);
@@ -309,7 +309,7 @@ fn tools_place_by_click_and_by_drag() {
     };
     let off = Vector::from(*size_mm) - Vector::new(30.0, 20.0);
     assert!(off.norm() < 0.5, "{off}");
-    assert_eq!(window.state().canvas.tool(), Tool::Select);
+    assert_eq!(window.canvas().tool(), Tool::Select);
     // By its key; the wall has the robot on its free side.
     window.key(Key::W);
     window.click(window.at(100.0, 100.0));
@@ -318,9 +318,9 @@ fn tools_place_by_click_and_by_drag() {
     window.shoot("wall-placed");
     // Escape puts a tool away.
     window.key(Key::K);
-    assert_eq!(window.state().canvas.tool(), Tool::Capsule);
+    assert_eq!(window.canvas().tool(), Tool::Capsule);
     window.key(Key::Escape);
-    assert_eq!(window.state().canvas.tool(), Tool::Select);
+    assert_eq!(window.canvas().tool(), Tool::Select);
     assert_eq!(window.scene().obstacles.len(), 4);
 }
 
@@ -346,7 +346,7 @@ fn a_polygon_is_drawn_vertex_by_vertex() {
     window.key(Key::P);
     window.click(window.at(100.0, 100.0));
     window.key(Key::Escape);
-    assert_eq!(window.state().canvas.tool(), Tool::Select);
+    assert_eq!(window.canvas().tool(), Tool::Select);
     window.key(Key::P);
     window.click(window.at(100.0, 100.0));
     window.double_click(window.at(110.0, 110.0));
@@ -366,7 +366,7 @@ fn keys_nudge_duplicate_delete_and_go_round() {
     assert!((by - Vector::new(0.45, 5.0)).amax() < 1e-9, "{by}");
     window.key_with(Modifiers::COMMAND, Key::D);
     assert_eq!(window.scene().obstacles.len(), 3);
-    assert_eq!(window.state().selection, Selection::Obstacle(2));
+    assert_eq!(window.bench().selection, Selection::Obstacle(2));
     assert_eq!(
         window.scene().obstacles[2].name.as_deref(),
         Some("lower copy")
@@ -379,10 +379,10 @@ fn keys_nudge_duplicate_delete_and_go_round() {
         Selection::Robot,
     ] {
         window.key(Key::Tab);
-        assert_eq!(window.state().selection, expect);
+        assert_eq!(window.bench().selection, expect);
     }
     window.key_with(Modifiers::SHIFT, Key::Tab);
-    assert_eq!(window.state().selection, Selection::Obstacle(1));
+    assert_eq!(window.bench().selection, Selection::Obstacle(1));
     window.key(Key::Tab);
     let pull = window.scene().actuation.pull_mm;
     window.key(Key::ArrowUp);
@@ -393,10 +393,10 @@ fn keys_nudge_duplicate_delete_and_go_round() {
         canvas.is_focused()
     };
     window.key(Key::Tab);
-    assert_eq!(window.state().selection, Selection::Nothing);
+    assert_eq!(window.bench().selection, Selection::Nothing);
     assert!(focused(&window));
     window.key(Key::Tab);
-    assert_eq!(window.state().selection, Selection::Nothing);
+    assert_eq!(window.bench().selection, Selection::Nothing);
     assert!(!focused(&window));
 }
 
@@ -426,7 +426,7 @@ fn an_edit_that_cannot_be_is_taken_back_and_told() {
         window.at(40.0, 30.0),
         window.at(4.0, 0.0),
     ]);
-    let refusal = window.state().refusal.as_ref().unwrap();
+    let refusal = window.bench().refusal.as_ref().unwrap();
     assert!(refusal.faults[0].to_string().contains("base"));
     window.shoot("refused");
     // It stays at the last place that can be, and follows again from there.
@@ -434,7 +434,7 @@ fn an_edit_that_cannot_be_is_taken_back_and_told() {
     assert!(stopped.norm() > 12.0, "{stopped}");
     keeps_out(&window);
     window.point(window.at(50.0, 30.0));
-    assert!(window.state().refusal.is_none());
+    assert!(window.bench().refusal.is_none());
     let off = center(window.shape(0)) - Vector::new(50.0, 30.0);
     assert!(off.norm() < 0.3, "{off}");
     window.release(window.at(50.0, 30.0));
@@ -442,34 +442,34 @@ fn an_edit_that_cannot_be_is_taken_back_and_told() {
     window.key(Key::D);
     window.click(window.at(2.0, 2.0));
     assert_eq!(window.scene().obstacles.len(), 1);
-    assert!(window.state().refusal.is_some());
+    assert!(window.bench().refusal.is_some());
     window.harness.run_steps(5 * 60);
-    assert!(window.state().refusal.is_none());
+    assert!(window.bench().refusal.is_none());
 }
 
 #[test]
 fn what_is_hovered_is_known_everywhere() {
     let mut window = Window::open(None);
-    let solution = window.state().live.solution().unwrap().clone();
+    let solution = window.bench().live.solution().unwrap().clone();
     let contact = solution.contacts[0].point;
     window.point(window.at(1e3 * contact.x, 1e3 * contact.y));
-    assert_eq!(window.state().hovered, Hovered::Contact(0));
+    assert_eq!(window.bench().hovered, Hovered::Contact(0));
     window.shoot("hover-contact");
     let node = solution.nodes[5].position;
     window.point(window.at(1e3 * node.x, 1e3 * node.y));
-    assert_eq!(window.state().hovered, Hovered::Node(5));
+    assert_eq!(window.bench().hovered, Hovered::Node(5));
     window.shoot("hover-node");
     window.point(window.at(60.0, 141.0));
-    assert_eq!(window.state().hovered, Hovered::Obstacle(1));
+    assert_eq!(window.bench().hovered, Hovered::Obstacle(1));
     window.point(window.at(110.0, 30.0));
-    assert_eq!(window.state().hovered, Hovered::Nothing);
+    assert_eq!(window.bench().hovered, Hovered::Nothing);
 }
 
 #[test]
 fn a_right_click_offers_what_can_be_done() {
     let mut window = Window::open(Some(scene(4.9, [square()])));
     window.click_with(window.at(90.0, 90.0), PointerButton::Secondary);
-    assert_eq!(window.state().selection, Selection::Obstacle(0));
+    assert_eq!(window.bench().selection, Selection::Obstacle(0));
     window.shoot("menu");
     window.harness.get_by_label("Add a vertex here").click();
     window.harness.run();
@@ -489,7 +489,7 @@ fn a_right_click_offers_what_can_be_done() {
     // Escape closes the menu; the block stays selected.
     window.key(Key::Escape);
     assert!(window.harness.query_by_label("Add a vertex here").is_none());
-    assert_eq!(window.state().selection, Selection::Obstacle(0));
+    assert_eq!(window.bench().selection, Selection::Obstacle(0));
     window.click_with(window.at(105.0, 20.0), PointerButton::Secondary);
     window.shoot("menu-plane");
     window.harness.get_by_label("Add a capsule here").click();
@@ -501,7 +501,7 @@ fn a_right_click_offers_what_can_be_done() {
 fn hints_are_gone_once_they_were_of_use() {
     let mut window = Window::open(None);
     window.shoot("hints");
-    let hints = |window: &Window| window.state().preferences.hints;
+    let hints = |window: &Window| window.bench().preferences.hints;
     assert!(!hints(&window).obstacle && !hints(&window).tip);
     window.drag(&[window.at(33.0, 89.0), window.at(38.0, 89.0)]);
     assert!(hints(&window).obstacle && !hints(&window).tip);
@@ -516,17 +516,17 @@ fn the_view_fits_the_robot_that_comes_later() {
     let slow = sinew::app::backend::Inline::sliced(std::time::Duration::ZERO);
     let mut window = Window::with([1280.0, 800.0], Theme::Light, None, slow);
     window.harness.run_steps(400);
-    assert!(window.state().live.is_settled());
+    assert!(window.bench().live.is_settled());
     // As large as one that was solved at once.
-    let expect = Window::open(None).state().canvas.frame();
-    assert_eq!(window.state().canvas.frame(), expect);
+    let expect = Window::open(None).canvas().frame();
+    assert_eq!(window.canvas().frame(), expect);
     // A view that was moved stays.
     window.drag(&[window.at(100.0, 30.0), window.at(80.0, 50.0)]);
-    let moved = window.state().canvas.frame();
+    let moved = window.canvas().frame();
     window.click(window.at(33.0, 89.0));
     window.key(Key::ArrowRight);
     window.harness.run_steps(400);
-    assert_eq!(window.state().canvas.frame(), moved);
+    assert_eq!(window.canvas().frame(), moved);
 }
 
 /// Pictures in both themes at the resolution of a good screen, to be looked at.
@@ -543,7 +543,7 @@ fn handles_are_drawn_in_both_themes() {
         window.click(window.at(65.0, 140.0));
         window.point(window.at(120.0, 20.0));
         window.shoot(&format!("{name}-capsule"));
-        assert_eq!(window.state().selection, Selection::Obstacle(2));
+        assert_eq!(window.bench().selection, Selection::Obstacle(2));
     }
 }
 
@@ -562,10 +562,10 @@ fn a_branch_that_ends_says_so() {
     let mut scene: Scene = scene(4.9, [disc_at(24.0, 89.0), disc_at(-30.0, 89.0)]);
     scene.actuation.pull_mm = 24.0;
     let mut window = Window::open(Some(scene));
-    assert!(window.state().live.drawing().standing.is_greyed());
+    assert!(window.bench().live.drawing().standing.is_greyed());
     window.shoot("stuck");
     assert!(window.harness.query_by_label("Undo").is_some());
-    let generation = |window: &Window| window.state().live.shape().unwrap().generation;
+    let generation = |window: &Window| window.bench().live.shape().unwrap().generation;
     let before = generation(&window);
     window.harness.get_by_label("Start from straight").click();
     window.harness.run();

@@ -13,8 +13,8 @@ use egui_kittest::kittest::Queryable;
 use egui_tiles::Tile;
 use sinew::app::backend::Inline;
 use sinew::app::dock::{Arrangement, Dock};
-use sinew::app::files::autosave::Stored;
-use sinew::app::{Command, Preferences, Selection, Sinew, State, Views};
+use sinew::app::window::stored::Stored;
+use sinew::app::{Command, Preferences, Selection, Sinew, Views, Workbench};
 use sinew::scene::{Candidates, Scene};
 use std::path::Path;
 
@@ -46,23 +46,23 @@ fn window(desk: &Desk) -> Window {
     window_with(desk, Stored::default(), SIZE, Theme::Light)
 }
 
-fn state(window: &Window) -> &State {
-    window.state().state()
+fn bench(window: &Window) -> &Workbench {
+    window.state().bench()
 }
 
 fn scene(window: &Window) -> &Scene {
-    &state(window).document.scene
+    &bench(window).document.scene
 }
 
 fn pull(window: &mut Window, pull_mm: f64) {
-    let scene = &mut window.state_mut().state_mut().document.scene;
+    let scene = &mut window.state_mut().bench_mut().document.scene;
     scene.actuation.pull_mm = pull_mm;
     window.run();
 }
 
 /// A change that cost work.
 fn edit(window: &mut Window) {
-    let scene = &mut window.state_mut().state_mut().document.scene;
+    let scene = &mut window.state_mut().bench_mut().document.scene;
     let title = scene.title.clone().unwrap_or_default();
     scene.title = Some(format!("{title} edited"));
     window.run();
@@ -99,7 +99,7 @@ fn commands(window: &Window) -> Vec<ViewportCommand> {
 }
 
 fn arrangement(window: &Window) -> &Arrangement {
-    state(window).dock.as_ref().unwrap().arrangement()
+    window.state().dock().arrangement()
 }
 
 fn stored_by(window: &mut Window) -> Storage {
@@ -113,12 +113,12 @@ fn a_saved_scene_is_reopened_as_it_was() {
     let desk = Desk::default();
     let mut window = window(&desk);
     pull(&mut window, 3.25);
-    assert!(state(&window).document.is_changed());
+    assert!(bench(&window).document.is_changed());
     let saved = scene(&window).clone();
     desk.answer(Some("/home/a/first.toml"));
     ctrl(&mut window, Key::S);
     assert_eq!(desk.offered(), ["two-discs-fig-4b.toml"]);
-    assert!(!state(&window).document.is_changed());
+    assert!(!bench(&window).document.is_changed());
     assert!(says(&window, "Saved first.toml"));
     // Saved again without a question.
     pull(&mut window, 3.5);
@@ -131,10 +131,10 @@ fn a_saved_scene_is_reopened_as_it_was() {
     desk.answer(Some("/home/a/first.toml"));
     ctrl(&mut window, Key::O);
     assert_eq!(*scene(&window), saved);
-    let file = state(&window).document.file.as_deref();
+    let file = bench(&window).document.file.as_deref();
     assert_eq!(file, Some(Path::new("/home/a/first.toml")));
     assert_eq!(
-        state(&window).files.recent,
+        bench(&window).files.recent,
         [Path::new("/home/a/first.toml")]
     );
     // Undo does not lead to another scene under this file's name.
@@ -215,7 +215,7 @@ fn unsaved_work_is_guarded() {
     desk.answer(None);
     press(&mut window, "Save");
     assert_eq!(*scene(&window), first);
-    assert!(state(&window).document.is_changed());
+    assert!(bench(&window).document.is_changed());
     ctrl(&mut window, Key::N);
     desk.answer(Some("/home/a/kept.toml"));
     press(&mut window, "Save");
@@ -294,7 +294,7 @@ fn a_crash_loses_nothing() {
     let mut window = self::window(&desk);
     press(&mut window, "Restore");
     assert_eq!(*scene(&window), lost);
-    assert!(state(&window).document.is_changed());
+    assert!(bench(&window).document.is_changed());
     assert!(!says(&window, "was not saved"));
     // Until it is saved, this window may crash, too.
     drop(window);
@@ -349,10 +349,10 @@ fn what_is_chosen_for_one_scene_is_not_done_to_the_next() {
     let saved = Scene::from_toml(&desk.text("/home/a/first.toml")).unwrap();
     assert_eq!(saved, first);
     // The other one has its own name, and saving it changes its own file.
-    let file = state(&window).document.file.as_deref();
+    let file = bench(&window).document.file.as_deref();
     assert_eq!(file, Some(Path::new("/home/a/other.toml")));
     pull(&mut window, 1.5);
-    assert!(state(&window).document.is_changed());
+    assert!(bench(&window).document.is_changed());
     ctrl(&mut window, Key::S);
     let saved = Scene::from_toml(&desk.text("/home/a/first.toml")).unwrap();
     assert_eq!(saved, first);
@@ -365,7 +365,7 @@ fn what_is_chosen_for_one_scene_is_not_done_to_the_next() {
         (Command::ImportMeasurements, "/home/a/measured.csv"),
         (Command::PlacePhoto, "/home/a/robot.png"),
     ] {
-        window.state_mut().state_mut().commands.push(command);
+        window.state_mut().bench_mut().commands.push(command);
         window.run();
         drop_on(&mut window, &desk, "/home/a/first.toml");
         desk.answer_now(path);
@@ -434,16 +434,16 @@ fn choices_outlive_the_window() {
     ctrl(&mut window, Key::Plus);
     window.key_press(Key::G);
     window.run();
-    assert_eq!(state(&window).preferences.zoom, 1.25);
+    assert_eq!(bench(&window).preferences.zoom, 1.25);
     let stored = Stored::of(Some(&stored_by(&mut window)));
-    assert_eq!(stored.preferences, state(&window).preferences);
+    assert_eq!(stored.preferences, bench(&window).preferences);
     assert!(!stored.preferences.grid);
     for _ in 0..20 {
         ctrl(&mut window, Key::Plus);
     }
-    assert_eq!(state(&window).preferences.zoom, Preferences::ZOOMS.1);
+    assert_eq!(bench(&window).preferences.zoom, Preferences::ZOOMS.1);
     ctrl(&mut window, Key::Num0);
-    assert_eq!(state(&window).preferences.zoom, 1.0);
+    assert_eq!(bench(&window).preferences.zoom, 1.0);
 }
 
 #[test]
@@ -460,7 +460,7 @@ fn the_plots_stay_where_they_were_put() {
     for plot in ["Force against load", "Energy over the pull"] {
         assert!(later.query_by_label_contains(plot).is_some(), "{plot}");
     }
-    let commands = &mut later.state_mut().state_mut().commands;
+    let commands = &mut later.state_mut().bench_mut().commands;
     commands.push(Command::GroupPlots);
     later.run();
     assert_ne!(*arrangement(&later), spread);
@@ -490,8 +490,8 @@ fn the_palette_runs_commands_and_opens_examples() {
     type_text(&mut window, "grid");
     window.key_press(Key::Enter);
     window.run();
-    assert!(!state(&window).preferences.grid);
-    assert!(!state(&window).sheets.is_open());
+    assert!(!bench(&window).preferences.grid);
+    assert!(!window.state().is_covered());
     // Arrows go on to the next line; letters are not shortcuts meanwhile.
     ctrl_shift(&mut window, Key::P);
     type_text(&mut window, "view");
@@ -499,8 +499,8 @@ fn the_palette_runs_commands_and_opens_examples() {
     assert!(says(&window, "Nothing is called that."));
     window.key_press(Key::Escape);
     window.run();
-    assert!(!state(&window).sheets.is_open());
-    assert_eq!(state(&window).preferences.views, Views::Plane);
+    assert!(!window.state().is_covered());
+    assert_eq!(bench(&window).preferences.views, Views::Plane);
     ctrl(&mut window, Key::K);
     type_text(&mut window, "exone disc");
     window.key_press(Key::Enter);
@@ -511,14 +511,14 @@ fn the_palette_runs_commands_and_opens_examples() {
     type_text(&mut window, "duplicate");
     window.key_press(Key::Enter);
     window.run();
-    assert!(state(&window).sheets.is_open());
+    assert!(window.state().is_covered());
 }
 
 #[test]
 fn a_measured_backbone_is_dropped_compared_and_fitted() {
     let desk = Desk::default();
     let mut window = window(&desk);
-    let solution = state(&window).live.solution().unwrap();
+    let solution = bench(&window).live.solution().unwrap();
     let rows = solution
         .backbone()
         .map(|point| format!("{},{}", 1e3 * point.x, 1e3 * point.y));
@@ -532,7 +532,7 @@ fn a_measured_backbone_is_dropped_compared_and_fitted() {
         &window,
         "Imported 19 points of a backbone from measured.csv"
     ));
-    assert_eq!(state(&window).selection, Selection::Measured);
+    assert_eq!(bench(&window).selection, Selection::Measured);
     assert!(says(&window, "0.00 mm"));
     pull(&mut window, 4.0);
     press(&mut window, "Find the best pull");
@@ -575,19 +575,19 @@ fn a_photograph_is_dropped_kept_beside_the_scene_and_found_again() {
     drop_on(&mut window, &desk, "/home/a/pictures/robot.png");
     let photo = scene(&window).photo.clone().unwrap();
     assert_eq!(photo.file, "/home/a/pictures/robot.png");
-    assert_eq!(state(&window).selection, Selection::Photo);
+    assert_eq!(bench(&window).selection, Selection::Photo);
     assert!(says(&window, "robot.png, 640 × 480 pixels"));
     desk.answer(Some("/home/a/scene.toml"));
     ctrl(&mut window, Key::S);
     let text = desk.text("/home/a/scene.toml");
     assert!(text.contains("\"pictures/robot.png\""), "{text}");
-    assert!(!state(&window).document.is_changed());
+    assert!(!bench(&window).document.is_changed());
     // Both have moved together.
     desk.put("/mnt/scene.toml", text);
     desk.put("/mnt/pictures/robot.png", png(640, 480));
     desk.remove("/home/a/pictures/robot.png");
     drop_on(&mut window, &desk, "/mnt/scene.toml");
-    assert_eq!(state(&window).selection, Selection::Nothing);
+    assert_eq!(bench(&window).selection, Selection::Nothing);
     assert_eq!(
         scene(&window).photo.as_ref().unwrap().file,
         "/mnt/pictures/robot.png"
@@ -664,7 +664,7 @@ fn two_points_give_a_photograph_its_scale() {
     assert!(says(&window, "Type how far apart they are."));
     let scaling = window
         .state_mut()
-        .state_mut()
+        .bench_mut()
         .photos
         .scaling
         .as_mut()
@@ -730,7 +730,7 @@ fn examples_open_from_cards_with_real_drawings() {
     window.get_by_label_contains("Free (Fig. 3b).").click();
     window.run();
     assert_eq!(scene(&window).title.as_deref(), Some("Free (Fig. 3b)"));
-    assert!(!state(&window).sheets.is_open());
+    assert!(!window.state().is_covered());
     // By keyboard: the first card has the focus.
     ctrl(&mut window, Key::E);
     let first = window.get_by_label_contains("Two discs (Fig. 4b).");
@@ -746,7 +746,7 @@ fn examples_open_from_cards_with_real_drawings() {
     window.run();
     assert!(says(&window, "Save the changes to"));
     press(&mut window, "Cancel");
-    assert!(state(&window).sheets.is_open());
+    assert!(window.state().is_covered());
     assert_eq!(scene(&window).actuation.pull_mm, 2.0);
 }
 
@@ -759,8 +759,8 @@ fn what_cannot_be_written_is_told_and_the_work_stays() {
     desk.answer(Some("/full/a.toml"));
     ctrl(&mut window, Key::S);
     assert!(says(&window, "a.toml is not saved") && says(&window, "The disk is full."));
-    assert!(state(&window).document.is_changed());
-    assert_eq!(state(&window).document.file, None);
+    assert!(bench(&window).document.is_changed());
+    assert_eq!(bench(&window).document.file, None);
     desk.answer(None);
     press(&mut window, "Save as …");
     assert_eq!(scene(&window).actuation.pull_mm, 2.0);
@@ -780,7 +780,7 @@ fn a_recent_file_that_is_gone_is_told_and_forgotten() {
     window.key_press(Key::Enter);
     window.run();
     assert!(says(&window, "gone.toml cannot be opened"));
-    assert!(state(&window).files.recent.is_empty());
+    assert!(bench(&window).files.recent.is_empty());
 }
 
 #[test]

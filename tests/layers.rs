@@ -1,7 +1,9 @@
-//! The layers of the library, read from its source: imports lead downward
-//! only, and what only the top may do (IO, clocks, threads) stays there. Also
-//! what is easily forgotten in a file: its first sentence, its length.
+//! The layers of the library and of its window, read from the source: imports
+//! lead downward only, what only the top may do (IO, clocks, threads) stays
+//! there, and the window's files do not all hang together. Also what is easily
+//! forgotten in a file: its first sentence, its length.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -30,6 +32,38 @@ const LAYERS: &[(&str, u32)] = &[
     ("cli", 13),
     ("web", 14),
 ];
+
+/// The same within the window. What all parts of it share knows none of them,
+/// and they do not know each other.
+const WINDOW: &[(&str, u32)] = &[
+    ("backend", 0),
+    ("examples", 0),
+    ("link", 0),
+    ("look", 0),
+    ("pixels", 0),
+    ("paint", 1),
+    ("platform", 1),
+    ("shapes", 1),
+    ("words", 1),
+    ("commands", 2),
+    ("workbench", 3),
+    ("measured", 4),
+    ("photo", 4),
+    ("widgets", 4),
+    ("files", 5),
+    ("canvas", 6),
+    ("panels", 6),
+    ("plots", 6),
+    ("sheets", 6),
+    ("space", 6),
+    ("dock", 7),
+    ("window", 8),
+    ("desktop", 9),
+    ("page", 9),
+];
+
+/// Files of the window in a circle of imports, at most.
+const CIRCLE: usize = 8;
 
 /// The layers that may do what [`TOP_ONLY`] lists.
 const TOP: &[&str] = &["app", "cli", "web"];
@@ -184,39 +218,70 @@ fn word(text: &str) -> &str {
     &text[..end.unwrap_or(text.len())]
 }
 
-/// The layers that code in a module of this depth names: through `crate::`, or
-/// through as many `super::` as lead to the crate's root.
-fn layers_named(code: &str, depth: usize) -> Vec<&str> {
-    let mut names = named_after(code, "crate::");
-    names.extend(named_after(code, &"super::".repeat(depth)));
-    names
+/// Layers, and the module that they are in.
+struct House {
+    root: &'static str,
+    layers: &'static [(&'static str, u32)],
 }
 
-fn height(layer: &str) -> Option<u32> {
-    let found = LAYERS.iter().find(|(name, _)| *name == layer);
-    found.map(|(_, height)| *height)
+const LIBRARY: House = House {
+    root: "crate::",
+    layers: LAYERS,
+};
+
+const APP: House = House {
+    root: "crate::app::",
+    layers: WINDOW,
+};
+
+impl House {
+    fn height(&self, layer: &str) -> Option<u32> {
+        let found = self.layers.iter().find(|(name, _)| *name == layer);
+        found.map(|(_, height)| *height)
+    }
+
+    /// The layers that code in a module of this depth names: through the root,
+    /// or through as many `super::` as lead to it.
+    fn named<'a>(&self, code: &'a str, depth: usize) -> Vec<&'a str> {
+        let mut names = named_after(code, self.root);
+        names.extend(named_after(code, &"super::".repeat(depth)));
+        names
+    }
+
+    /// The arrows of a source that lead upward or sideways. `modules` are those
+    /// that it is, from the layer on.
+    fn wrong_arrows(&self, source: &Source, modules: &[&str]) -> Vec<String> {
+        // The root names layers, and is none; so is the program.
+        let Some(layer) = modules.first() else {
+            return Vec::new();
+        };
+        let own = self.height(layer);
+        let own = own.unwrap_or_else(|| panic!("{layer} is not in the table of layers"));
+        let (shipped, tests) = source.parts();
+        let mut named = self.named(&shipped, modules.len());
+        named.extend(self.named(&tests, modules.len() + 1));
+        named.sort_unstable();
+        named.dedup();
+        let wrong = named.iter().filter(|name| {
+            let other = self.height(name);
+            let other = other.unwrap_or_else(|| panic!("{}: what is {name}?", source.path));
+            *name != layer && other >= own
+        });
+        wrong
+            .map(|name| format!("{} names {name}", source.path))
+            .collect()
+    }
 }
 
-/// The arrows of a source that lead upward or sideways.
+/// The arrows of a source that lead upward or sideways, in the library and in
+/// the window.
 fn wrong_arrows(source: &Source) -> Vec<String> {
     let modules = source.modules();
-    // The crate's root and the program name layers, and are none.
-    let Some(layer) = modules.first() else {
-        return Vec::new();
-    };
-    let own = height(layer).unwrap_or_else(|| panic!("{layer} is not in the table of layers"));
-    let (shipped, tests) = source.parts();
-    let mut named = layers_named(&shipped, modules.len());
-    named.extend(layers_named(&tests, modules.len() + 1));
-    named.sort_unstable();
-    named.dedup();
-    let wrong = named.iter().filter(|name| {
-        let other = height(name).unwrap_or_else(|| panic!("{}: what is {name}?", source.path));
-        *name != layer && other >= own
-    });
+    let mut wrong = LIBRARY.wrong_arrows(source, &modules);
+    if let Some(("app", inner)) = modules.split_first().map(|(first, rest)| (*first, rest)) {
+        wrong.extend(APP.wrong_arrows(source, inner));
+    }
     wrong
-        .map(|name| format!("{} names {name}", source.path))
-        .collect()
 }
 
 #[test]
@@ -274,6 +339,185 @@ fn an_upward_or_sideways_arrow_would_be_found() {
         "use crate::cli::run;",
         &["app/mod.rs names cli"],
     );
+    check("app/canvas/hit.rs", "use super::view::Canvas;", &[]);
+    check("app/canvas/hit.rs", "use crate::app::words;", &[]);
+    check(
+        "app/canvas/hit.rs",
+        "use crate::app::{look::icons, sheets, words};",
+        &["app/canvas/hit.rs names sheets"],
+    );
+    check(
+        "app/space.rs",
+        "use super::canvas::Canvas;",
+        &["app/space.rs names canvas"],
+    );
+    check(
+        "app/workbench/live.rs",
+        "let canvas = super::super::canvas::Canvas::default();",
+        &["app/workbench/live.rs names canvas"],
+    );
+}
+
+/// All paths in code of more than one module, those in braces written out: `a::b`
+/// and `a::c` for `a::{b, c}`.
+fn paths(code: &str) -> Vec<Vec<&str>> {
+    let mut all = words_and_paths(code);
+    all.retain(|path| path.len() > 1);
+    all
+}
+
+fn words_and_paths(code: &str) -> Vec<Vec<&str>> {
+    let (mut all, mut rest) = (Vec::new(), code);
+    while !rest.is_empty() {
+        let mut path = vec![word(rest)];
+        if path[0].is_empty() {
+            let mut letters = rest.chars();
+            letters.next();
+            rest = letters.as_str();
+            continue;
+        }
+        rest = &rest[path[0].len()..];
+        while let Some(next) = rest.strip_prefix("::") {
+            let name = word(next);
+            rest = &next[name.len()..];
+            if let Some(list) = rest.strip_prefix('{').filter(|_| name.is_empty()) {
+                let list = &list[..length_in_braces(list)];
+                let inner = words_and_paths(list).into_iter();
+                all.extend(inner.map(|more| [path.clone(), more].concat()));
+                rest = &rest[1 + list.len()..];
+                path.clear();
+            }
+            if name.is_empty() {
+                break;
+            }
+            path.push(name);
+        }
+        if !path.is_empty() {
+            all.push(path);
+        }
+    }
+    all
+}
+
+/// What lies before the brace that closes a list, in bytes.
+fn length_in_braces(list: &str) -> usize {
+    let mut depth = 0;
+    for (at, character) in list.char_indices() {
+        match character {
+            '{' => depth += 1,
+            '}' if depth == 0 => return at,
+            '}' => depth -= 1,
+            _ => {}
+        }
+    }
+    list.len()
+}
+
+/// The file that a path leads to from a module: the last of its modules that is
+/// one. `None` where it leads out of these files.
+fn file_at<'a>(
+    module: &[&'a str],
+    path: &[&'a str],
+    files: &BTreeSet<Vec<&'a str>>,
+) -> Option<Vec<&'a str>> {
+    let supers = path.iter().take_while(|name| **name == "super").count();
+    let (from, names) = match path[0] {
+        "crate" => (&module[..0], &path[1..]),
+        "self" => (module, &path[1..]),
+        _ => (
+            &module[..module.len().checked_sub(supers)?],
+            &path[supers..],
+        ),
+    };
+    // The module's own children go without a word before them.
+    let least = usize::from(path.len() == names.len());
+    let mut led = (least..=names.len()).rev();
+    led.find_map(|count| files.get(&[from, &names[..count]].concat()).cloned())
+}
+
+/// The circles of imports among sources, each with its modules' names: what is
+/// shipped, not what is tested.
+fn circles(sources: &[Source]) -> Vec<Vec<String>> {
+    let codes: Vec<_> = sources
+        .iter()
+        .map(|it| (it.modules(), it.parts().0))
+        .collect();
+    let files: BTreeSet<Vec<&str>> = codes.iter().map(|(module, _)| module.clone()).collect();
+    let mut arrows = BTreeMap::new();
+    for (module, code) in &codes {
+        let paths = paths(code).into_iter();
+        let named = paths.filter_map(|path| file_at(module, &path, &files));
+        let named: BTreeSet<_> = named.filter(|other| other != module).collect();
+        arrows.insert(module.clone(), named);
+    }
+    let reached = |from: &Vec<&str>| {
+        let (mut known, mut next) = (BTreeSet::new(), vec![from]);
+        while let Some(module) = next.pop() {
+            for other in &arrows[module] {
+                if known.insert(other.clone()) {
+                    next.push(other);
+                }
+            }
+        }
+        known
+    };
+    let reached: BTreeMap<_, _> = files.iter().map(|file| (file, reached(file))).collect();
+    let circle = |file: &Vec<&str>| {
+        let around = reached[file].iter();
+        let around = around.filter(|other| reached[other].contains(file));
+        around.map(|module| module.join("::")).collect::<Vec<_>>()
+    };
+    let circles: BTreeSet<_> = files.iter().map(circle).collect();
+    circles.into_iter().filter(|it| !it.is_empty()).collect()
+}
+
+#[test]
+fn the_windows_files_do_not_all_hang_together() {
+    let mut sources = sources();
+    sources.retain(|source| source.modules().first() == Some(&"app"));
+    assert!(sources.len() > 100);
+    let circles = circles(&sources);
+    // The scan sees something: who shows a window and who lays it out.
+    assert!(
+        circles
+            .iter()
+            .any(|it| it.contains(&"app::window".to_owned()))
+    );
+    for circle in circles {
+        let count = circle.len();
+        assert!(count <= CIRCLE, "{count} files in a circle: {circle:?}");
+    }
+}
+
+#[test]
+fn a_circle_of_imports_would_be_found() {
+    let check = |files: &[(&str, &str)], expected: &[&[&str]]| {
+        let sources: Vec<_> = files
+            .iter()
+            .map(|(path, text)| Source {
+                path: (*path).to_owned(),
+                text: (*text).to_owned(),
+            })
+            .collect();
+        assert_eq!(circles(&sources), expected);
+    };
+    let a = ("app/a.rs", "use super::b::{B, c};\nuse crate::math::x;");
+    let b = ("app/b/mod.rs", "mod c;\npub use c::C;\n// super::a::A");
+    let c = ("app/b/c.rs", "use crate::app::{a::A, d};");
+    let d = ("app/d.rs", "fn f() { d::f(); a.b::<C>(); }");
+    check(&[a, b, c, d], &[&["app::a", "app::b", "app::b::c"]]);
+    let c = ("app/b/c.rs", "use crate::app::d;");
+    check(&[a, b, c, d], &[]);
+    let d = ("app/d.rs", "let c = super::b::c::C::new();");
+    check(&[a, b, c, d], &[&["app::b::c", "app::d"]]);
+    let d = (
+        "app/d.rs",
+        "#[cfg(test)]\nmod tests {\n    use crate::app::b;\n}",
+    );
+    check(&[a, b, c, d], &[]);
+    let b = ("app/b/mod.rs", "use self::c::C;");
+    let c = ("app/b/c.rs", "use super::B;");
+    check(&[a, b, c], &[&["app::b", "app::b::c"]]);
 }
 
 #[test]

@@ -5,8 +5,8 @@ use eframe::egui::{Event, Key, Modifiers, PointerButton, Theme, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use sinew::app::backend::Inline;
-use sinew::app::panels::tables;
-use sinew::app::{Preferences, Selection, Sinew, State};
+use sinew::app::dock::tables;
+use sinew::app::{Preferences, Selection, Sinew, Workbench};
 use sinew::equilibrium::Certificate;
 use sinew::forces::{Statics, Stiffness};
 use sinew::scene::{Candidates, Scene, Shape};
@@ -44,11 +44,11 @@ fn first() -> Window {
 }
 
 fn scene(window: &Window) -> &Scene {
-    &window.state().state().document.scene
+    &window.state().bench().document.scene
 }
 
-fn state(window: &Window) -> &State {
-    window.state().state()
+fn bench(window: &Window) -> &Workbench {
+    window.state().bench()
 }
 
 /// Types into a field in the place of what is there, and presses Enter.
@@ -95,7 +95,7 @@ fn a_radius_is_typed_with_or_without_its_unit() {
     let mut window = first();
     let names = discs(&window);
     select(&mut window, &names[0]);
-    assert_eq!(state(&window).selection, Selection::Obstacle(0));
+    assert_eq!(bench(&window).selection, Selection::Obstacle(0));
     let check = |window: &mut Window, text: &str, expect: f64| {
         enter(window, "Radius", text);
         assert_eq!(radius(window, 0), expect, "{text}");
@@ -105,7 +105,7 @@ fn a_radius_is_typed_with_or_without_its_unit() {
     check(&mut window, "1.1 cm", 11.0);
     check(&mut window, "0.01 m", 10.0);
     check(&mut window, "9.4321 mm", 9.4321);
-    assert!(state(&window).live.is_settled());
+    assert!(bench(&window).live.is_settled());
     // Escape gives up what was typed, and nothing else.
     window.get_by_label("Radius").click();
     window.run();
@@ -114,7 +114,7 @@ fn a_radius_is_typed_with_or_without_its_unit() {
     window.key_press(Key::Escape);
     window.run();
     assert_eq!(radius(&window, 0), 9.4321);
-    assert_eq!(state(&window).selection, Selection::Obstacle(0));
+    assert_eq!(bench(&window).selection, Selection::Obstacle(0));
     // To look at a field and leave it is not to round it.
     window.get_by_label("Radius").click();
     window.run();
@@ -174,7 +174,7 @@ fn an_obstacle_is_renamed_in_the_outline_and_in_the_inspector() {
     window.run();
     assert_eq!(scene(&window).obstacles[0].name.as_deref(), Some("post"));
     window.get_by_label("post");
-    assert_eq!(state(&window).selection, Selection::Obstacle(0));
+    assert_eq!(bench(&window).selection, Selection::Obstacle(0));
     // Escape leaves the name as it was.
     window.key_press(Key::F2);
     window.run();
@@ -183,7 +183,7 @@ fn an_obstacle_is_renamed_in_the_outline_and_in_the_inspector() {
     window.key_press(Key::Escape);
     window.run();
     assert_eq!(scene(&window).obstacles[0].name.as_deref(), Some("post"));
-    assert_eq!(state(&window).selection, Selection::Obstacle(0));
+    assert_eq!(bench(&window).selection, Selection::Obstacle(0));
     // A name that is emptied leaves the shape's word and place.
     enter(&mut window, "Name", "");
     assert_eq!(scene(&window).obstacles[0].name, None);
@@ -214,7 +214,7 @@ fn a_double_click_begins_a_name() {
 fn arrow_keys_move_the_selection() {
     let mut window = first();
     select(&mut window, "Robot");
-    assert_eq!(state(&window).selection, Selection::Robot);
+    assert_eq!(bench(&window).selection, Selection::Robot);
     for (key, expect) in [
         (Key::ArrowDown, Selection::Obstacle(0)),
         (Key::ArrowDown, Selection::Obstacle(1)),
@@ -225,7 +225,7 @@ fn arrow_keys_move_the_selection() {
     ] {
         window.key_press(key);
         window.run();
-        assert_eq!(state(&window).selection, expect, "{key:?}");
+        assert_eq!(bench(&window).selection, expect, "{key:?}");
     }
     window.key_press(Key::Delete);
     window.run();
@@ -238,7 +238,7 @@ fn obstacles_are_added_duplicated_and_deleted() {
     assert!(told(&window, "Nothing stands around the robot"));
     select(&mut window, "Add a disc");
     assert_eq!(scene(&window).obstacles.len(), 1);
-    assert_eq!(state(&window).selection, Selection::Obstacle(0));
+    assert_eq!(bench(&window).selection, Selection::Obstacle(0));
     for (item, expect) in [("Duplicate", 2), ("Delete", 1)] {
         window.get_by_label("Disc 1").click_secondary();
         window.run();
@@ -254,7 +254,7 @@ fn obstacles_are_added_duplicated_and_deleted() {
         scene(&window).obstacles[1].shape,
         Shape::Capsule { .. }
     ));
-    assert!(state(&window).live.is_settled());
+    assert!(bench(&window).live.is_settled());
 }
 
 #[test]
@@ -274,7 +274,7 @@ fn segments_come_in_whole_bays() {
     assert!(window.query_by_label("5").is_none());
     select(&mut window, "3");
     assert_eq!(scene(&window).robot.segments_per_bay, 3);
-    assert!(state(&window).live.is_settled());
+    assert!(bench(&window).live.is_settled());
 }
 
 #[test]
@@ -316,7 +316,7 @@ fn an_obstacle_over_the_base_is_taken_back_with_its_reason() {
     assert_eq!(*scene(&window), before);
     let reason = format!("{} covers the robot's base", names[0]);
     assert!(told(&window, &reason[1..]), "{reason}");
-    assert!(state(&window).live.is_settled());
+    assert!(bench(&window).live.is_settled());
 }
 
 #[test]
@@ -324,7 +324,7 @@ fn the_certificate_tells_the_numbers_of_the_solution() {
     let mut window = first();
     window.get_by_label("Status: Converged").click();
     window.run();
-    let certificate = state(&window).live.solution().unwrap().certificate;
+    let certificate = bench(&window).live.solution().unwrap().certificate;
     let number = |value| sinew::view::Quantity::significant(value, "").digits;
     for (name, value) in [
         ("Stationarity", certificate.stationarity),
@@ -336,7 +336,7 @@ fn the_certificate_tells_the_numbers_of_the_solution() {
         assert!(value <= Certificate::BOUND);
         window.get_by_label(&format!("{name} {} ≤ 10⁻⁹", number(value)));
     }
-    let count = state(&window).live.solution().unwrap().trace.len();
+    let count = bench(&window).live.solution().unwrap().trace.len();
     window.get_by_label(&format!("Last solve, {count} iterations"));
     window.get_by_label("Status: Converged").click();
     window.run();
@@ -360,10 +360,10 @@ fn cautions_stand_beside_the_certificate_with_what_helps() {
     select(&mut window, "Let the whole body touch");
     assert_eq!(scene(&window).contact.candidates, Candidates::Body);
     assert!(!told(&window, caution));
-    assert_eq!(state(&window).live.solution().unwrap().contacts.len(), 1);
-    assert!(state(&window).live.cautions().is_empty());
+    assert_eq!(bench(&window).live.solution().unwrap().contacts.len(), 1);
+    assert!(bench(&window).live.cautions().is_empty());
     // A cable that would have to push has no such remedy.
-    let scene = &mut window.state_mut().state_mut().document.scene;
+    let scene = &mut window.state_mut().bench_mut().document.scene;
     scene.obstacles.clear();
     scene.actuation.pull_mm = -3.0;
     window.run();
@@ -374,11 +374,11 @@ fn cautions_stand_beside_the_certificate_with_what_helps() {
 #[test]
 fn a_branch_that_ends_is_told_with_its_reason() {
     let mut window = first();
-    let state_mut = window.state_mut().state_mut();
+    let work = window.state_mut().bench_mut();
     // The robot that leans on both discs slips off before this.
-    state_mut.document.scene.actuation.pull_mm = 16.0;
+    work.document.scene.actuation.pull_mm = 16.0;
     window.run();
-    let solution = state(&window).live.solution().unwrap();
+    let solution = bench(&window).live.solution().unwrap();
     assert_eq!(solution.status.word(), "branch_ended");
     let reason = solution.status.reason();
     select(&mut window, "Status: Branch ended");
@@ -392,13 +392,13 @@ fn what_became_of_a_solve_has_one_name() {
     let wedge = include_str!("../assets/scenes/wedge.toml");
     let scene = Scene::from_toml(wedge).unwrap();
     let mut window = window(Some(scene), [1280.0, 800.0], Theme::Light);
-    let state_mut = window.state_mut().state_mut();
-    state_mut.document.scene.actuation.pull_mm = 12.0;
+    let work = window.state_mut().bench_mut();
+    work.document.scene.actuation.pull_mm = 12.0;
     window.run();
-    let solution = state(&window).live.solution().unwrap();
+    let solution = bench(&window).live.solution().unwrap();
     assert_eq!(solution.status.word(), "infeasible");
     let name = outcome(solution);
-    let Standing::Greyed { what, .. } = &state(&window).live.drawing().standing else {
+    let Standing::Greyed { what, .. } = &bench(&window).live.drawing().standing else {
         panic!("it is believed");
     };
     assert_eq!(*what, name);
@@ -424,7 +424,7 @@ fn nothing_moves_when_numbers_change() {
     for pull in [0.3, 12.345, 4.9] {
         window
             .state_mut()
-            .state_mut()
+            .bench_mut()
             .document
             .scene
             .actuation
@@ -436,32 +436,32 @@ fn nothing_moves_when_numbers_change() {
 
 /// A table of a state, by itself.
 fn table(
-    of: impl Fn(&mut eframe::egui::Ui, &mut State) + 'static,
+    of: impl Fn(&mut eframe::egui::Ui, &mut Workbench) + 'static,
     selection: Selection,
-) -> Harness<'static, State> {
+) -> Harness<'static, Workbench> {
     let scene = Scene::from_toml(include_str!("../assets/scenes/two-discs.toml")).unwrap();
     let document = sinew::app::Document::new(scene).unwrap();
     let backend = Box::new(Inline::to_the_end());
-    let mut state = State::new(document, backend, Preferences::default());
-    state.poll();
-    state.selection = selection;
+    let mut bench = Workbench::new(document, backend, Preferences::default());
+    bench.poll();
+    bench.selection = selection;
     let mut harness = Harness::builder()
         .with_size(vec2(820.0, 160.0))
         .with_pixels_per_point(1.0)
         .with_context_setup(sinew::app::look::install)
         .wgpu()
-        .build_ui_state(move |ui, state| of(ui, state), state);
+        .build_ui_state(move |ui, bench| of(ui, bench), bench);
     harness.run();
     harness
 }
 
 #[test]
 fn the_contacts_table_selects_and_tells_forces_where_they_are_known() {
-    let with_forces = |ui: &mut eframe::egui::Ui, state: &mut State| {
+    let with_forces = |ui: &mut eframe::egui::Ui, bench: &mut Workbench| {
         let stiffness = Stiffness::new(1e-3).unwrap();
-        let solution = state.live.solution().unwrap();
-        let forces = Statics::of(state.live.problem(), solution, stiffness);
-        tables::contacts(ui, state, Some(&forces));
+        let solution = bench.live.solution().unwrap();
+        let forces = Statics::of(bench.live.problem(), solution, stiffness);
+        tables::contacts(ui, bench, Some(&forces));
     };
     let mut table = table(with_forces, Selection::Nothing);
     table.get_by_label("Force, g");
@@ -477,7 +477,7 @@ fn the_contacts_table_selects_and_tells_forces_where_they_are_known() {
 #[test]
 fn without_a_stiffness_there_is_no_column_of_forces() {
     let table = table(
-        |ui, state| tables::contacts(ui, state, None),
+        |ui, bench| tables::contacts(ui, bench, None),
         Selection::Nothing,
     );
     assert!(table.query_by_label("Force, N").is_none());
@@ -535,7 +535,7 @@ fn pictures() {
     let mut window = window(None, [1024.0, 1400.0], Theme::Light);
     window
         .state_mut()
-        .state_mut()
+        .bench_mut()
         .document
         .scene
         .actuation
@@ -545,7 +545,7 @@ fn pictures() {
     let file = folder.join("certificate-tall.png");
     window.render().unwrap().save(file).unwrap();
     let mut table = table(
-        |ui, state| tables::contacts(ui, state, None),
+        |ui, bench| tables::contacts(ui, bench, None),
         Selection::Obstacle(0),
     );
     table

@@ -190,7 +190,7 @@ impl Window {
     }
 
     fn scene(&self) -> &Scene {
-        &self.app.state().document.scene
+        &self.app.bench().document.scene
     }
 
     fn frame(&mut self) {
@@ -243,11 +243,11 @@ impl Window {
     }
 
     fn edit(&mut self, change: impl FnOnce(&mut Scene)) {
-        change(&mut self.app.state_mut().document.scene);
+        change(&mut self.app.bench_mut().document.scene);
     }
 
     fn command(&mut self, command: Command) {
-        self.app.state_mut().commands.push(command);
+        self.app.bench_mut().commands.push(command);
     }
 
     fn act(&mut self, action: &Action) {
@@ -314,7 +314,7 @@ impl Window {
         self.release();
         self.frame();
         self.ctx.memory_mut(|memory| memory.stop_text_input());
-        if self.app.state().transport.is_playing() {
+        if self.app.bench().transport.is_playing() {
             self.command(Command::Play);
         }
         self.frame();
@@ -324,7 +324,7 @@ impl Window {
     /// Takes everything back, step by step; how many there were.
     fn undo_all(&mut self) -> Result<usize, TestCaseError> {
         let mut steps = 0;
-        while Command::Undo.is_enabled(self.app.state()) {
+        while self.app.bench().allows(Command::Undo) {
             prop_assert!(steps <= 2 * ACTIONS, "undo comes to no end");
             self.command(Command::Undo);
             self.frame();
@@ -336,9 +336,9 @@ impl Window {
 
     /// What must hold after every frame.
     fn check(&self) -> TestCaseResult {
-        let state = self.app.state();
+        let bench = self.app.bench();
         prop_assert!(Problem::faults(self.scene()).is_empty());
-        if let Some(solution) = state.live.solution() {
+        if let Some(solution) = bench.live.solution() {
             if solution.status == Status::Converged {
                 prop_assert!(solution.certificate.holds(), "{:?}", solution.certificate);
             }
@@ -350,7 +350,7 @@ impl Window {
                     .all(f64::is_finite)
             );
         }
-        let drawing = state.live.drawing();
+        let drawing = bench.live.drawing();
         for mark in &drawing.marks {
             let points = mark.geometry.points(1e-4, &drawing.bounds);
             prop_assert!(points.iter().all(|p| p.x.is_finite() && p.y.is_finite()));

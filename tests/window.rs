@@ -43,8 +43,8 @@ fn example(text: &str) -> Option<Scene> {
 #[test]
 fn opens_on_the_robot_leaning_on_two_discs() {
     let mut window = Window::sized(SIZE, Theme::Light, None);
-    assert!(window.state().live.is_settled());
-    let solution = window.state().live.solution().unwrap();
+    assert!(window.bench().live.is_settled());
+    let solution = window.bench().live.solution().unwrap();
     assert_eq!(solution.contacts.len(), 2);
     compare(&mut window, "light");
 }
@@ -53,7 +53,7 @@ fn opens_on_the_robot_leaning_on_two_discs() {
 fn shows_plane_and_space_side_by_side_in_the_dark() {
     let mut window = Window::sized(SIZE, Theme::Dark, None);
     window.key(Key::Num3);
-    assert_eq!(window.state().preferences.views, Views::Both);
+    assert_eq!(window.bench().preferences.views, Views::Both);
     compare(&mut window, "dark-both");
 }
 
@@ -72,15 +72,15 @@ fn a_robot_that_can_go_no_further_is_greyed_with_its_reason() {
     window
         .harness
         .state_mut()
-        .state_mut()
+        .bench_mut()
         .document
         .scene
         .actuation
         .pull_mm = 12.0;
     window.harness.run();
-    let status = &window.state().live.solution().unwrap().status;
+    let status = &window.bench().live.solution().unwrap().status;
     assert!(!matches!(status, Status::Converged), "{status:?}");
-    assert!(window.state().live.drawing().standing.is_greyed());
+    assert!(window.bench().live.drawing().standing.is_greyed());
     compare(&mut window, "infeasible");
 }
 
@@ -123,16 +123,16 @@ fn a_load_can_be_set_in_the_place_of_the_pull() {
     window.harness.event(Event::Text("300".to_owned()));
     window.key(Key::Enter);
     let load = |window: &Window| {
-        let state = window.state();
-        let newtons = state.document.newtons_per_multiplier().unwrap();
-        let slope = state.live.solution().unwrap().certificate.energy_slope;
+        let bench = window.bench();
+        let newtons = bench.document.newtons_per_multiplier().unwrap();
+        let slope = bench.live.solution().unwrap().certificate.energy_slope;
         grams(newtons * slope)
     };
-    assert!(window.state().live.is_settled());
+    assert!(window.bench().live.is_settled());
     assert!((load(&window) - 300.0).abs() < 0.1, "{}", load(&window));
 
     // Without a stiffness there are no loads, and the pull is set again.
-    let robot = &mut window.harness.state_mut().state_mut().document.scene.robot;
+    let robot = &mut window.harness.state_mut().bench_mut().document.scene.robot;
     robot.bending_stiffness_nmm2 = None;
     window.harness.run();
     window.harness.get_by_label("Pull slider");
@@ -143,8 +143,8 @@ fn a_jump_is_told_and_the_way_back_shows_another_branch() {
     let slip = example(include_str!("../assets/scenes/slip-off.toml"));
     let mut window = Window::sized(SIZE, Theme::Light, slip);
     let pull = |window: &mut Window, pull_mm: f64| {
-        let state = window.harness.state_mut().state_mut();
-        state.document.scene.actuation.pull_mm = pull_mm;
+        let bench = window.harness.state_mut().bench_mut();
+        bench.document.scene.actuation.pull_mm = pull_mm;
         window.harness.run_steps(8);
     };
     let elsewhere = |window: &Window| {

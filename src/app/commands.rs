@@ -1,13 +1,8 @@
 //! Every command of the window in one list, which drives the shortcuts, the
 //! palette and the help.
 
-mod run;
-
-pub use run::run;
-
-use super::canvas::Tool;
 use super::look::icons;
-use super::state::{Selection, State};
+use super::shapes::Tool;
 use eframe::egui::{Context, Id, Key, KeyboardShortcut, Modifiers, Popup};
 
 /// Something the user can ask for.
@@ -253,26 +248,6 @@ impl Command {
         match &self.entry().shortcut {
             Some(keys) => format!("{words} ({})", ctx.format_shortcut(keys)),
             None => words.to_owned(),
-        }
-    }
-
-    /// Whether the command would do anything.
-    pub fn is_enabled(self, state: &State) -> bool {
-        match self {
-            Command::Undo => state.history.can_undo(&state.document.scene),
-            Command::Redo => state.history.can_redo(),
-            Command::Delete => {
-                let kept = matches!(state.selection, Selection::Nothing | Selection::Robot);
-                !kept
-            }
-            Command::Load => state.document.stiffness().is_some(),
-            Command::Duplicate => state.selection.obstacle().is_some(),
-            Command::Deselect => {
-                state.canvas.is_giving_up_something()
-                    || state.photos.scaling.is_some()
-                    || state.selection != Selection::Nothing
-            }
-            _ => true,
         }
     }
 }

@@ -10,12 +10,14 @@ mod place;
 
 use super::backend::{Arrived, Inline, SLICE, SolverBackend, Worker};
 use super::examples::EXAMPLES;
-use super::files::autosave::{Stored, has_preferences};
-use super::files::{Arrival, Intent, faults_of, request, sentence};
+use super::files::request;
+use super::link;
 use super::look::fit_fingers;
-use super::notices::Notice;
 use super::platform::Web;
-use super::{Sinew, link};
+use super::window::Sinew;
+use super::window::stored::{Stored, has_preferences};
+use super::words::{faults_of, sentence};
+use super::workbench::{Arrival, Intent, Notice};
 use crate::model::Problem;
 use crate::scene::Scene;
 use eframe::egui::{Context, FullOutput, Plugin, Ui, ViewportCommand};
@@ -117,13 +119,13 @@ impl Page {
             fit_fingers(ctx);
         }
         if let Some(why) = broken {
-            window.state_mut().notices.tell(Notice::trouble(why));
+            window.bench_mut().notices.tell(Notice::trouble(why));
         }
         ctx.add_plugin(Title);
         #[cfg(feature = "web-test")]
         handle::watch(cc);
         Ok(Self {
-            place: Place::new(fragment, &window.state().document),
+            place: Place::new(fragment, &window.bench().document),
             window,
             arrived,
             frames: 0,
@@ -139,7 +141,7 @@ impl Page {
         {
             self.arrived = None;
             let told = "The solver's worker has stopped; the window solves by itself, if slower.";
-            let notices = &mut self.window.state_mut().notices;
+            let notices = &mut self.window.bench_mut().notices;
             notices.tell(Notice::information(told));
         }
     }
@@ -150,15 +152,15 @@ impl Page {
         if !self.place.is_news(fragment) {
             return;
         }
-        let state = self.window.state_mut();
+        let bench = self.window.bench_mut();
         match linked(fragment) {
             Ok(scene) => {
                 let scene = scene.map_or_else(|| EXAMPLES[0].scene(), Ok);
                 let Ok(scene) = scene else { return };
                 let arrival = Box::new(Arrival::of(scene));
-                request(state, Intent::Scene(arrival), ctx);
+                request(bench, Intent::Scene(arrival), ctx);
             }
-            Err(why) => state.notices.tell(Notice::trouble(why)),
+            Err(why) => bench.notices.tell(Notice::trouble(why)),
         }
     }
 }
@@ -226,7 +228,7 @@ impl eframe::App for Page {
         } else {
             self.window.ui(ui, frame);
         }
-        let document = &self.window.state().document;
+        let document = &self.window.bench().document;
         kept::keep(&document.scene);
         if let Some(fragment) = self.place.visit(document) {
             visit(fragment);

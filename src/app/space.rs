@@ -1,9 +1,8 @@
 //! The robot in space: an orbit camera around what the graphics processor
 //! draws.
 
-use super::live::Live;
 use super::look::{Tokens, semibold, theme_of};
-use super::state::State;
+use super::workbench::{Live, Workbench};
 use crate::equilibrium::Solution;
 use crate::geometry::Vector;
 use crate::render::{Camera, Mesh, mesh, solid_callback};
@@ -21,6 +20,8 @@ pub struct Space {
     camera: Option<Camera>,
     /// Fit the camera at the next frame.
     fit: bool,
+    /// The document that it has seen, see [`Workbench::opened`].
+    opened: u64,
     built: Option<Built>,
 }
 
@@ -40,17 +41,20 @@ impl Space {
 }
 
 /// Shows the view in all the room there is.
-pub fn show(ui: &mut Ui, state: &mut State) {
+pub fn show(ui: &mut Ui, space: &mut Space, bench: &mut Workbench) {
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     response
         .widget_info(|| WidgetInfo::labeled(eframe::egui::Role::Canvas, true, "Robot in space"));
+    if space.opened != bench.opened {
+        space.opened = bench.opened;
+        space.fit_soon();
+    }
     if rect.width() < 8.0 || rect.height() < 8.0 {
         return;
     }
     let theme = theme_of(ui);
-    let solids = solids(state, theme);
+    let solids = solids(space, bench, theme);
     let aspect = f64::from(rect.width() / rect.height());
-    let space = &mut state.space;
     let camera = match (&mut space.camera, std::mem::take(&mut space.fit)) {
         (Some(camera), false) => camera,
         (camera, _) => camera.insert(Camera::fitting(&solids.focus, aspect)),
@@ -62,7 +66,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, Tokens::of(theme).canvas);
     painter.add(solid_callback(rect, solids, *camera, theme));
-    values(&painter, rect, *camera, &state.live, theme);
+    values(&painter, rect, *camera, &bench.live, theme);
     let hint = "Drag to turn, right-drag to move, double-click to reset";
     if response.hovered() {
         painter.text(
@@ -76,19 +80,19 @@ pub fn show(ui: &mut Ui, state: &mut State) {
 }
 
 /// The solids of what is shown, built again only when that has changed.
-fn solids(state: &mut State, theme: Theme) -> Arc<Mesh> {
-    let revision = state.live.revision();
-    if let Some(built) = &state.space.built
+fn solids(space: &mut Space, bench: &Workbench, theme: Theme) -> Arc<Mesh> {
+    let revision = bench.live.revision();
+    if let Some(built) = &space.built
         && built.revision == revision
         && built.theme == theme
     {
         return Arc::clone(&built.mesh);
     }
     let nothing = Solution::default();
-    let solution = state.live.solution().unwrap_or(&nothing);
-    let standing = &state.live.drawing().standing;
-    let mesh = Arc::new(mesh(state.live.problem(), solution, theme, standing));
-    state.space.built = Some(Built {
+    let solution = bench.live.solution().unwrap_or(&nothing);
+    let standing = &bench.live.drawing().standing;
+    let mesh = Arc::new(mesh(bench.live.problem(), solution, theme, standing));
+    space.built = Some(Built {
         revision,
         theme,
         mesh: Arc::clone(&mesh),

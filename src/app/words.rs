@@ -7,6 +7,7 @@ use crate::model::Line;
 use crate::scene::{Obstacle, Scene, SceneError, Shape};
 use crate::units::millimetres;
 use crate::view::{Quantity, reason};
+use std::path::Path;
 
 /// An obstacle's name or, where it has none, its shape and its place in the
 /// list, from 1.
@@ -85,7 +86,7 @@ fn field(path: &str) -> Option<&'static str> {
 pub fn refusal(fault: &SceneError) -> String {
     let text = fault.to_string();
     let Some(path) = fault.field() else {
-        return sentence(&text);
+        return spoken(&text);
     };
     let rest = text.strip_prefix(path).unwrap_or(&text);
     let subject = match field(path) {
@@ -97,7 +98,7 @@ pub fn refusal(fault: &SceneError) -> String {
         },
     };
     let words: Vec<String> = rest.split(' ').map(said).collect();
-    sentence(&format!("{subject}{}", words.join(" ")))
+    spoken(&format!("{subject}{}", words.join(" ")))
 }
 
 /// A word of a message, with a field's name in the place of its path.
@@ -111,8 +112,9 @@ fn said(word: &str) -> String {
     }
 }
 
-/// A text with a capital at its start and a stop at its end.
-pub fn sentence(text: &str) -> String {
+/// A text with a capital at its start, whatever it starts with, and a stop at
+/// its end.
+pub fn spoken(text: &str) -> String {
     let stop = if text.ends_with('.') { "" } else { "." };
     format!("{}{stop}", capital(text))
 }
@@ -123,6 +125,39 @@ pub fn capital(text: &str) -> String {
     let first = letters.next().map(char::to_uppercase);
     let first: String = first.into_iter().flatten().collect();
     format!("{first}{}", letters.as_str())
+}
+
+/// A clause as a sentence. A key of a scene stays as it is written there.
+pub fn sentence(clause: &str) -> String {
+    let first = clause.split_whitespace().next().unwrap_or_default();
+    let is_key = first.trim_end_matches('.').contains(['.', '_', '[']);
+    let mut text = clause.to_owned();
+    if let Some(letter) = clause.chars().next().filter(|_| !is_key) {
+        let capital = letter.to_uppercase().to_string();
+        text.replace_range(..letter.len_utf8(), &capital);
+    }
+    if !text.ends_with(['.', '!', '?']) {
+        text.push('.');
+    }
+    text
+}
+
+/// Faults of a scene as sentences.
+pub fn faults_of(faults: &[SceneError]) -> Vec<String> {
+    let clauses = faults.iter().map(ToString::to_string);
+    clauses.map(|clause| sentence(&clause)).collect()
+}
+
+/// A path's last part, for sentences.
+pub fn shown(path: &Path) -> String {
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    name.to_string_lossy().into_owned()
+}
+
+/// What is said of a file that was chosen for another document.
+pub fn too_late(path: &Path) -> String {
+    let name = shown(path);
+    format!("{name} was chosen for the scene before this one and is left out.")
 }
 
 /// A part of the robot where its disks are not known.
@@ -152,13 +187,13 @@ pub fn outcome(solution: &Solution, scene: &Scene) -> String {
                 all.join(", ")
             )
         }
-        _ => sentence(&reason(solution)),
+        _ => spoken(&reason(solution)),
     }
 }
 
 /// A caution as a sentence, which names obstacles by their names.
 pub fn caution(caution: &Caution, scene: &Scene) -> String {
-    sentence(&caution.sentence(|index| obstacle_of(scene, index)))
+    spoken(&caution.sentence(|index| obstacle_of(scene, index)))
 }
 
 /// What happened, after its pull.
@@ -204,7 +239,7 @@ pub fn occurrence(what: &Occurrence, scene: &Scene) -> String {
             "the shape before was no equilibrium; started from straight".to_owned()
         }
     };
-    sentence(&text)
+    spoken(&text)
 }
 
 #[cfg(test)]
@@ -247,6 +282,14 @@ mod tests {
             }
         });
         assert!(text.ends_with("from -36000 to 36000 °."), "{text}");
+    }
+
+    #[test]
+    fn clauses_become_sentences() {
+        assert_eq!(sentence("it is not there"), "It is not there.");
+        assert_eq!(sentence("line 3 is odd."), "Line 3 is odd.");
+        assert_eq!(sentence("robot.length_mm is 0"), "robot.length_mm is 0.");
+        assert_eq!(sentence(""), ".");
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Theme, pos2, vec2};
 use egui_kittest::Harness;
 use sinew::app::backend::Inline;
-use sinew::app::{Preferences, Sinew, State};
+use sinew::app::{Canvas, Preferences, Sinew, Workbench};
 use sinew::geometry::Vector;
 use sinew::scene::{Obstacle, Scene, Shape};
 
@@ -49,14 +49,19 @@ impl Window {
         Self { harness }
     }
 
-    /// What the window shows.
-    pub fn state(&self) -> &State {
-        self.harness.state().state()
+    /// The user's work.
+    pub fn bench(&self) -> &Workbench {
+        self.harness.state().bench()
+    }
+
+    /// The canvas.
+    pub fn canvas(&self) -> &Canvas {
+        self.harness.state().canvas()
     }
 
     /// The scene as it is.
     pub fn scene(&self) -> &Scene {
-        &self.state().document.scene
+        &self.bench().document.scene
     }
 
     /// An obstacle's shape.
@@ -66,25 +71,25 @@ impl Window {
 
     /// Where a point in millimetres is on the screen.
     pub fn at(&self, x_mm: f64, y_mm: f64) -> Pos2 {
-        let frame = self.state().canvas.frame();
+        let frame = self.canvas().frame();
         let at = frame.to_screen(1e-3 * Vector::new(x_mm, y_mm));
         pos2(at.x as f32, at.y as f32)
     }
 
     /// Points of the screen in a millimetre.
     pub fn points(&self, mm: f64) -> f32 {
-        (self.state().canvas.frame().scale * 1e-3 * mm) as f32
+        (self.canvas().frame().scale * 1e-3 * mm) as f32
     }
 
     /// Where the tip is on the screen.
     pub fn tip(&self) -> Pos2 {
-        let tip = self.state().live.solution().unwrap().tip().position;
+        let tip = self.bench().live.solution().unwrap().tip().position;
         self.at(1e3 * tip.x, 1e3 * tip.y)
     }
 
     /// Whether something is being told that holds these words.
     pub fn is_told(&self, words: &str) -> bool {
-        let mut notices = self.state().notices.iter();
+        let mut notices = self.bench().notices.iter();
         notices.any(|notice| notice.text.contains(words))
     }
 

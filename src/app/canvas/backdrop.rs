@@ -1,34 +1,40 @@
 //! What lies behind and before the robot besides the drawing: the photograph
 //! and the measured backbone.
 
+use super::photo;
+use super::view::Canvas;
 use crate::app::look::Tokens;
-use crate::app::photo;
-use crate::app::state::{Selection, State};
+use crate::app::workbench::{Selection, Workbench};
 use crate::geometry::Vector;
 use crate::units::metres;
 use crate::view::{Frame, Theme};
 use eframe::egui::{Painter, Pos2, Response, Shape, Stroke, pos2, vec2};
 
 /// Behind everything.
-pub fn behind(painter: &Painter, state: &State, frame: &Frame) {
-    let photo = state.document.scene.photo.as_ref();
-    photo::paint(painter, &state.photos, photo, frame);
+pub fn behind(painter: &Painter, bench: &Workbench, frame: &Frame) {
+    let photo = bench.document.scene.photo.as_ref();
+    photo::paint(painter, &bench.photos, photo, frame);
 }
 
 /// Before everything but words.
-pub fn before(painter: &Painter, state: &State, frame: &Frame, theme: Theme) {
-    photo::outline(painter, state, frame, theme);
-    measured(painter, state, frame, theme);
+pub fn before(painter: &Painter, bench: &Workbench, frame: &Frame, theme: Theme) {
+    photo::outline(painter, bench, frame, theme);
+    measured(painter, bench, frame, theme);
 }
 
 /// Whether the pointer is taken by what lies here.
-pub fn interact(response: &Response, state: &mut State, frame: &Frame) -> bool {
-    photo::interact(response, state, frame)
+pub fn interact(
+    response: &Response,
+    canvas: &mut Canvas,
+    bench: &mut Workbench,
+    frame: &Frame,
+) -> bool {
+    photo::interact(response, canvas, bench, frame)
 }
 
 /// The measured backbone: diamonds, which nothing else on the canvas is.
-fn measured(painter: &Painter, state: &State, frame: &Frame, theme: Theme) {
-    let Some(measured) = &state.document.scene.measured else {
+fn measured(painter: &Painter, bench: &Workbench, frame: &Frame, theme: Theme) {
+    let Some(measured) = &bench.document.scene.measured else {
         return;
     };
     let tokens = Tokens::of(theme);
@@ -40,7 +46,7 @@ fn measured(painter: &Painter, state: &State, frame: &Frame, theme: Theme) {
     if !places.iter().all(|place| place.is_finite()) {
         return;
     }
-    let selected = state.selection == Selection::Measured;
+    let selected = bench.selection == Selection::Measured;
     let colour = if selected { tokens.accent } else { tokens.good };
     let line = Stroke::new(1.0, colour.gamma_multiply(0.6));
     painter.extend(Shape::dashed_line(&places, line, 4.0, 4.0));

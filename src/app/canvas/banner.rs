@@ -1,13 +1,14 @@
 //! What went wrong, said where it did: edits that were taken back, shapes that
 //! are no certified equilibria, and where those got stuck.
 
+use super::chip;
 use super::tools::raised;
-use super::{chip, to_screen};
+use super::view::Canvas;
 use crate::app::commands::Command;
-use crate::app::live::Live;
 use crate::app::look::{Tokens, icon, icons, semibold};
-use crate::app::state::State;
+use crate::app::paint::to_screen;
 use crate::app::words;
+use crate::app::workbench::{Live, Workbench};
 use crate::equilibrium::{Solution, Status};
 use crate::geometry::Vector;
 use crate::model::{Line, Problem};
@@ -31,13 +32,19 @@ const NARROW: f32 = 580.0;
 
 /// Paints why an edit was taken back, beside the pointer, and forgets it when
 /// it was told long enough.
-pub fn refusal(ui: &Ui, painter: &Painter, state: &mut State, rect: Rect, pointer: Option<Pos2>) {
-    let Some(refusal) = &state.refusal else {
+pub fn refusal(
+    ui: &Ui,
+    painter: &Painter,
+    bench: &mut Workbench,
+    rect: Rect,
+    pointer: Option<Pos2>,
+) {
+    let Some(refusal) = &bench.refusal else {
         return;
     };
     let left = TOLD_FOR - (ui.input(|input| input.time) - refusal.at);
     if left <= 0.0 {
-        state.refusal = None;
+        bench.refusal = None;
         return;
     }
     ui.ctx()
@@ -59,26 +66,26 @@ fn is_stuck(live: &Live) -> bool {
 
 /// Shows why the shape is greyed, or that it is not the one that the straight
 /// robot comes to, with two ways out.
-pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) {
-    if !is_stuck(&state.live) {
-        if state.live.is_on_another_branch() {
+pub fn show(ui: &mut Ui, bench: &mut Workbench, rect: Rect) {
+    if !is_stuck(&bench.live) {
+        if bench.live.is_on_another_branch() {
             let reason = "The straight robot comes to another shape at this pull.";
-            banner(ui, state, rect, (icons::INFO, "Another branch", reason));
+            banner(ui, bench, rect, (icons::INFO, "Another branch", reason));
         }
         return;
     }
-    let Standing::Greyed { what, reason } = state.live.drawing().standing.clone() else {
+    let Standing::Greyed { what, reason } = bench.live.drawing().standing.clone() else {
         return;
     };
     // In words that name obstacles by their names.
-    let reason = match state.live.solution() {
-        Some(solution) => words::outcome(solution, &state.document.scene),
-        None => words::sentence(&reason),
+    let reason = match bench.live.solution() {
+        Some(solution) => words::outcome(solution, &bench.document.scene),
+        None => words::spoken(&reason),
     };
-    banner(ui, state, rect, (icons::WARNING, what, &reason));
+    banner(ui, bench, rect, (icons::WARNING, what, &reason));
 }
 
-fn banner(ui: &mut Ui, state: &mut State, rect: Rect, told: (&str, &str, &str)) {
+fn banner(ui: &mut Ui, bench: &mut Workbench, rect: Rect, told: (&str, &str, &str)) {
     let tokens = Tokens::in_ui(ui);
     let room = rect.width() - 2.0 * (super::tools::ROOM + 8.0);
     let width = room.clamp(160.0, WIDEST);
@@ -94,14 +101,14 @@ fn banner(ui: &mut Ui, state: &mut State, rect: Rect, told: (&str, &str, &str)) 
             if wide {
                 // The buttons first, so that the text knows what is left.
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    actions(ui, state);
+                    actions(ui, bench);
                     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                         reasons(ui, told, &tokens);
                     });
                 });
             } else {
                 ui.horizontal_wrapped(|ui| reasons(ui, told, &tokens));
-                ui.horizontal_wrapped(|ui| actions(ui, state));
+                ui.horizontal_wrapped(|ui| actions(ui, bench));
             }
         });
     });
@@ -115,30 +122,36 @@ fn reasons(ui: &mut Ui, (glyph, what, reason): (&str, &str, &str), tokens: &Toke
 }
 
 /// The ways out.
-fn actions(ui: &mut Ui, state: &mut State) {
+fn actions(ui: &mut Ui, bench: &mut Workbench) {
     for (command, title) in [
         (Command::FromStraight, "Start from straight"),
         (Command::Undo, "Undo"),
     ] {
         let button = Button::new((icon(command.entry().icon), title));
-        let enabled = command.is_enabled(state);
+        let enabled = bench.allows(command);
         let tip = command.tip(ui.ctx());
         let response = ui.add_enabled(enabled, button).on_hover_text(tip);
         if response.accessible_name(title).clicked() {
-            state.commands.push(command);
+            bench.commands.push(command);
         }
     }
 }
 
 /// Rings around what the status names: the segment that ends a branch, the
 /// contacts that cannot all be met.
-pub fn rings(ui: &Ui, painter: &Painter, state: &mut State, frame: &Frame) {
-    if !is_stuck(&state.live) {
-        state.canvas.stuck_since = None;
+pub fn rings(
+    ui: &Ui,
+    painter: &Painter,
+    canvas: &mut Canvas,
+    bench: &mut Workbench,
+    frame: &Frame,
+) {
+    if !is_stuck(&bench.live) {
+        canvas.stuck_since = None;
         return;
     }
     let now = ui.input(|input| input.time);
-    let since = *state.canvas.stuck_since.get_or_insert(now);
+    let since = *canvas.stuck_since.get_or_insert(now);
     let still = ui.style().animation_time == 0.0 || now - since > PULSING;
     let phase = if still {
         0.0
@@ -147,8 +160,8 @@ pub fn rings(ui: &Ui, painter: &Painter, state: &mut State, frame: &Frame) {
         ((now - since) / PULSE).fract()
     };
     let warning = Tokens::in_ui(ui).warning;
-    let solution = state.live.solution();
-    let places = solution.map(|solution| stuck_at(state.live.problem(), solution));
+    let solution = bench.live.solution();
+    let places = solution.map(|solution| stuck_at(bench.live.problem(), solution));
     for place in places.into_iter().flatten() {
         let at = to_screen(frame, place);
         painter.circle_stroke(at, 12.0, Stroke::new(2.0, warning));

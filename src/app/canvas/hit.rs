@@ -1,9 +1,7 @@
 //! What is under a point of the canvas, and how near is near enough.
 
-use super::handles::{Handle, handles};
-use super::tools::Tool;
-use crate::app::live::Live;
-use crate::app::state::{Hovered, State};
+use crate::app::shapes::{Handle, Tool, Turned, handles};
+use crate::app::workbench::{Hovered, Live, Workbench};
 use crate::geometry::{Obstacle, Vector};
 use crate::scene::Shape;
 use crate::units::{METRES_PER_MM, millimetres};
@@ -69,8 +67,14 @@ impl Target {
 }
 
 /// What is at a point, in metres.
-pub fn target_at(state: &State, frame: &Frame, point: Vector, reach: Reach) -> Target {
-    if let Some((index, shape)) = selected(state, frame) {
+pub fn target_at(
+    tool: Tool,
+    bench: &Workbench,
+    frame: &Frame,
+    point: Vector,
+    reach: Reach,
+) -> Target {
+    if let Some((index, shape)) = selected(tool, bench, frame) {
         let all = handles(&shape, per_point(frame));
         let away = all.iter().map(|(_, at)| at * METRES_PER_MM);
         // Corners come after the sides they end.
@@ -78,14 +82,14 @@ pub fn target_at(state: &State, frame: &Frame, point: Vector, reach: Reach) -> T
             return Target::Handle(index, all[nearest].0);
         }
     }
-    let Some(solution) = state.live.solution() else {
-        return under(&state.live, frame, point, reach);
+    let Some(solution) = bench.live.solution() else {
+        return under(&bench.live, frame, point, reach);
     };
     let tip = solution.nodes.last().map(|node| node.position);
     if nearest(tip.into_iter(), point, reach.handle / frame.scale).is_some() {
         return Target::Tip;
     }
-    match under(&state.live, frame, point, reach) {
+    match under(&bench.live, frame, point, reach) {
         Target::Nothing => {
             let backbone: Vec<Vector> = solution.backbone().collect();
             let near = 0.8 * reach.node / frame.scale;
@@ -110,9 +114,9 @@ fn under(live: &Live, frame: &Frame, point: Vector, reach: Reach) -> Target {
 
 /// What at a point has twins in other parts of the window: the nearest of
 /// contacts and nodes, or an obstacle.
-pub fn hovered_at(state: &State, frame: &Frame, point: Vector, reach: Reach) -> Hovered {
+pub fn hovered_at(bench: &Workbench, frame: &Frame, point: Vector, reach: Reach) -> Hovered {
     let near = reach.node / frame.scale;
-    if let Some(solution) = state.live.solution() {
+    if let Some(solution) = bench.live.solution() {
         let contacts = solution.contacts.iter().map(|contact| contact.point);
         if let Some(index) = nearest(contacts, point, near) {
             return Hovered::Contact(index);
@@ -121,7 +125,7 @@ pub fn hovered_at(state: &State, frame: &Frame, point: Vector, reach: Reach) -> 
             return Hovered::Node(index);
         }
     }
-    match under(&state.live, frame, point, reach) {
+    match under(&bench.live, frame, point, reach) {
         Target::Obstacle(index) => Hovered::Obstacle(index),
         _ => Hovered::Nothing,
     }
@@ -129,12 +133,12 @@ pub fn hovered_at(state: &State, frame: &Frame, point: Vector, reach: Reach) -> 
 
 /// The selected obstacle with the shape whose handles are shown, if any are: a
 /// wall is held by what is seen of its surface.
-pub fn selected(state: &State, frame: &Frame) -> Option<(usize, Shape)> {
-    if state.canvas.tool != Tool::Select {
+pub fn selected(tool: Tool, bench: &Workbench, frame: &Frame) -> Option<(usize, Shape)> {
+    if tool != Tool::Select {
         return None;
     }
-    let index = state.selection.obstacle()?;
-    let shape = &state.document.scene.obstacles.get(index)?.shape;
+    let index = bench.selection.obstacle()?;
+    let shape = &bench.document.scene.obstacles.get(index)?.shape;
     Some((index, in_view(shape, frame)))
 }
 
@@ -148,7 +152,7 @@ fn in_view(shape: &Shape, frame: &Frame) -> Shape {
         ..
     } = &mut seen
     {
-        let normal = super::handles::Turned::by(*rotation_deg).x;
+        let normal = Turned::by(*rotation_deg).x;
         let anchor = Vector::from(*point_mm) * METRES_PER_MM;
         let inner = frame.window.grown(-40.0);
         let corners = inner.corners().map(|corner| frame.to_world(corner));

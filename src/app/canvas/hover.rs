@@ -2,10 +2,11 @@
 //! part of the window.
 
 use super::chip::Chip;
-use super::{paint, to_screen};
+use super::overlay;
 use crate::app::look::Tokens;
-use crate::app::state::{Hovered, State};
+use crate::app::paint::to_screen;
 use crate::app::words;
+use crate::app::workbench::{Hovered, Workbench};
 use crate::equilibrium::{Contact, Solution};
 use crate::model::{Problem, part_name};
 use crate::units::{METRES_PER_MM, degrees, millimetres};
@@ -15,15 +16,15 @@ use eframe::egui::{Color32, Painter, Rect, Stroke};
 /// Paints what is hovered and what there is to know of it.
 pub fn paint(
     painter: &Painter,
-    state: &State,
+    bench: &Workbench,
     hovered: Hovered,
     frame: &Frame,
     within: Rect,
     theme: Theme,
 ) {
     let tokens = Tokens::of(theme);
-    let problem = state.live.problem();
-    let Some(solution) = state.live.solution() else {
+    let problem = bench.live.problem();
+    let Some(solution) = bench.live.solution() else {
         return;
     };
     if solution.nodes.len() != problem.robot().segments + 1 {
@@ -42,7 +43,7 @@ pub fn paint(
     match hovered {
         Hovered::Nothing => {}
         Hovered::Pull(pull) => {
-            let path = state.live.path();
+            let path = bench.live.path();
             if let Some(then) = path.and_then(|path| path.at(pull)) {
                 let at = to_screen(frame, then.tip.position);
                 ring(at, 6.0);
@@ -68,11 +69,11 @@ pub fn paint(
             };
             let at = to_screen(frame, contact.point);
             ring(at, 11.0);
-            contact_chip(state, problem, contact).paint(painter, within, at, &tokens);
+            contact_chip(bench, problem, contact).paint(painter, within, at, &tokens);
         }
         Hovered::Obstacle(index) => {
             let stroke = Stroke::new(1.5, tokens.accent.gamma_multiply(0.6));
-            paint::outline_of(painter, &state.live, index, frame, stroke);
+            overlay::outline_of(painter, &bench.live, index, frame, stroke);
         }
     }
 }
@@ -116,11 +117,11 @@ fn node_chip(problem: &Problem, solution: &Solution, index: usize) -> Chip {
 }
 
 /// What there is to know of a contact.
-fn contact_chip(state: &State, problem: &Problem, contact: &Contact) -> Chip {
+fn contact_chip(bench: &Workbench, problem: &Problem, contact: &Contact) -> Chip {
     let part = part_name(problem.robot(), contact.line, contact.node);
-    let name = words::obstacle_of(&state.document.scene, contact.obstacle);
+    let name = words::obstacle_of(&bench.document.scene, contact.obstacle);
     let multiplier = contact.multiplier * METRES_PER_MM;
-    let force = state.document.force(contact.multiplier);
+    let force = bench.document.force(contact.multiplier);
     let force = force.map(|force| row("Force", force));
     Chip {
         title: Some(words::capital(&part)),

@@ -1,11 +1,12 @@
 //! The canvas by keyboard: arrows nudge what is selected, Tab goes from one
 //! obstacle to the next, Space held moves the view.
 
-use super::handles::neat;
-use super::tools::{Tool, close_draft};
-use super::{Canvas, hit};
+use super::hit;
+use super::tools::close_draft;
+use super::view::{Canvas, SpaceKey};
 use crate::app::commands::Command;
-use crate::app::state::{Selection, State, Views};
+use crate::app::shapes::{moved, neat};
+use crate::app::workbench::{Playing, Selection, Views, Workbench};
 use crate::geometry::Vector;
 use crate::view::Frame;
 use eframe::egui::{Context, EventFilter, Key, Modifiers, Response};
@@ -17,37 +18,23 @@ const PULL_MM: f64 = 0.1;
 /// How much farther with Shift, or less far with Alt.
 const FACTOR: f64 = 10.0;
 
-/// Space as it is held over the canvas: it plays when let go, unless the view
-/// was moved with it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Space {
-    /// It is not held.
-    #[default]
-    Up,
-    /// It is held.
-    Down,
-    /// It is held and the view was moved.
-    Panned,
-}
-
 /// Before commands take their keys: keeps Space for the canvas while the
 /// pointer is on it.
-pub fn hold_space(ctx: &Context, state: &mut State) {
+pub fn hold_space(ctx: &Context, canvas: &mut Canvas, bench: &mut Workbench) {
     let pointer = ctx.input(|input| input.pointer.hover_pos());
-    let shown = state.preferences.views != Views::Space && !state.sheets.is_open();
-    let over = shown && pointer.is_some_and(|at| state.canvas.rect.contains(at));
-    let canvas = &mut state.canvas;
+    let shown = bench.preferences.views != Views::Space && !canvas.covered;
+    let over = shown && pointer.is_some_and(|at| canvas.rect.contains(at));
     if over && is_ours(ctx, canvas) {
         let pressed = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Space));
-        if pressed && canvas.space == Space::Up {
-            canvas.space = Space::Down;
+        if pressed && canvas.space_key == SpaceKey::Up {
+            canvas.space_key = SpaceKey::Down;
         }
     }
-    if canvas.space != Space::Up && !ctx.input(|input| input.key_down(Key::Space)) {
-        if canvas.space == Space::Down {
-            state.commands.push(Command::Play);
+    if canvas.space_key != SpaceKey::Up && !ctx.input(|input| input.key_down(Key::Space)) {
+        if canvas.space_key == SpaceKey::Down {
+            bench.commands.push(Command::Play);
         }
-        canvas.space = Space::Up;
+        canvas.space_key = SpaceKey::Up;
     }
 }
 
@@ -58,15 +45,14 @@ fn is_ours(ctx: &Context, canvas: &Canvas) -> bool {
 }
 
 /// Follows the keys.
-pub fn follow(response: &Response, state: &mut State, frame: &Frame) {
+pub fn follow(response: &Response, canvas: &mut Canvas, bench: &mut Workbench, frame: &Frame) {
     let ctx = &response.ctx;
-    state.canvas.id = Some(response.id);
-    if !is_ours(ctx, &state.canvas) || state.sheets.is_open() {
+    canvas.id = Some(response.id);
+    if !is_ours(ctx, canvas) || canvas.covered {
         return;
     }
     // After everything was selected in turn, Tab goes on to other controls.
-    let canvas = &mut state.canvas;
-    canvas.went_round &= state.selection == Selection::Nothing && response.has_focus();
+    canvas.went_round &= bench.selection == Selection::Nothing && response.has_focus();
     let filter = EventFilter {
         tab: !canvas.went_round,
         horizontal_arrows: true,
@@ -74,27 +60,27 @@ pub fn follow(response: &Response, state: &mut State, frame: &Frame) {
         escape: true,
     };
     ctx.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
-    if !state.canvas.draft.is_empty() {
-        draw(ctx, state);
+    if !canvas.draft.is_empty() {
+        draw(ctx, canvas, bench);
     }
-    if response.has_focus() && !state.canvas.went_round {
+    if response.has_focus() && !canvas.went_round {
         let tab = |modifiers| ctx.input_mut(|input| input.consume_key(modifiers, Key::Tab));
         if tab(Modifiers::SHIFT) {
-            cycle(state, Way::Back);
+            cycle(canvas, bench, Way::Back);
         } else if tab(Modifiers::NONE) {
-            cycle(state, Way::On);
+            cycle(canvas, bench, Way::On);
         }
     }
-    nudge(ctx, state, frame);
+    nudge(ctx, canvas, bench, frame);
 }
 
 /// The keys of a polygon being drawn; Escape is a command's.
-fn draw(ctx: &Context, state: &mut State) {
+fn draw(ctx: &Context, canvas: &mut Canvas, bench: &mut Workbench) {
     let pressed = |key| ctx.input_mut(|input| input.consume_key(Modifiers::NONE, key));
     if pressed(Key::Enter) {
-        close_draft(state);
+        close_draft(canvas, bench);
     } else if pressed(Key::Backspace) {
-        state.canvas.draft.pop();
+        canvas.draft.pop();
     }
 }
 
@@ -106,9 +92,9 @@ enum Way {
 }
 
 /// Selects the next of the obstacles and, after them, the robot; then nothing.
-fn cycle(state: &mut State, way: Way) {
-    let robot = state.document.scene.obstacles.len();
-    let now = match state.selection {
+fn cycle(canvas: &mut Canvas, bench: &mut Workbench, way: Way) {
+    let robot = bench.document.scene.obstacles.len();
+    let now = match bench.selection {
         Selection::Nothing | Selection::Photo | Selection::Measured => None,
         Selection::Obstacle(index) => Some(index),
         Selection::Robot => Some(robot),
@@ -119,9 +105,9 @@ fn cycle(state: &mut State, way: Way) {
         (Way::On, None) => Some(0),
         (Way::On, Some(now)) => Some(now + 1).filter(|next| *next <= robot),
     };
-    state.canvas.vertex = None;
-    state.canvas.went_round = next.is_none();
-    state.selection = match next {
+    canvas.vertex = None;
+    canvas.went_round = next.is_none();
+    bench.selection = match next {
         None => Selection::Nothing,
         Some(index) if index == robot => Selection::Robot,
         Some(index) => Selection::Obstacle(index),
@@ -129,8 +115,8 @@ fn cycle(state: &mut State, way: Way) {
 }
 
 /// Moves what is selected by the arrow keys: an obstacle, or the pull.
-fn nudge(ctx: &Context, state: &mut State, frame: &Frame) {
-    if state.selection == Selection::Nothing || state.canvas.gesture.is_some() {
+fn nudge(ctx: &Context, canvas: &mut Canvas, bench: &mut Workbench, frame: &Frame) {
+    if bench.selection == Selection::Nothing || canvas.drag.is_some() {
         return;
     }
     let mut steps = Vector::zeros();
@@ -154,42 +140,19 @@ fn nudge(ctx: &Context, state: &mut State, frame: &Frame) {
     if steps == Vector::zeros() {
         return;
     }
-    match state.selection {
+    match bench.selection {
         Selection::Obstacle(index) => {
-            if let Some(obstacle) = state.document.scene.obstacles.get_mut(index) {
+            if let Some(obstacle) = bench.document.scene.obstacles.get_mut(index) {
                 // A nudge is as exact as its step, however far one is away.
                 let fine = hit::per_point(frame).min(0.1 * NUDGE_MM);
                 let by = NUDGE_MM * steps;
-                obstacle.shape = super::handles::moved(&obstacle.shape, by, Modifiers::NONE, fine);
+                obstacle.shape = moved(&obstacle.shape, by, Modifiers::NONE, fine);
             }
         }
         Selection::Robot => {
-            let span = state.span_mm();
-            state.transport.stop();
-            let pull_mm = &mut state.document.scene.actuation.pull_mm;
-            let pull = neat(*pull_mm + PULL_MM * (steps.x + steps.y), 0.1 * PULL_MM);
-            *pull_mm = pull.clamp(span.0, span.1);
+            let pull_mm = bench.pull_mm() + PULL_MM * (steps.x + steps.y);
+            bench.set_pull_within_span(neat(pull_mm, 0.1 * PULL_MM), Playing::Stops);
         }
         Selection::Nothing | Selection::Photo | Selection::Measured => {}
-    }
-}
-
-impl Canvas {
-    /// Gives up what is being dragged or drawn and puts a tool away; the scene
-    /// becomes what it was before. Whether there was anything.
-    pub fn give_up(&mut self, scene: &mut crate::scene::Scene) -> bool {
-        if let Some(gesture) = self.gesture.take() {
-            scene.clone_from(gesture.before());
-            return true;
-        }
-        let any = self.is_giving_up_something();
-        self.draft.clear();
-        self.tool = Tool::Select;
-        any
-    }
-
-    /// Whether there is something to give up.
-    pub fn is_giving_up_something(&self) -> bool {
-        self.gesture.is_some() || !self.draft.is_empty() || self.tool != Tool::Select
     }
 }

@@ -1,12 +1,11 @@
 //! What a right click or a long press offers, for an obstacle or the plane.
 
-use super::handles::{Handle, add_vertex, remove_vertex};
 use super::hit::{Target, per_point};
-use super::place;
-use super::tools::Tool;
+use super::view::{Canvas, Opened};
 use crate::app::commands::Command;
 use crate::app::look::{icon, icons};
-use crate::app::state::{Selection, State};
+use crate::app::shapes::{Handle, Tool, add_vertex, clicked, remove_vertex};
+use crate::app::workbench::{Selection, Workbench};
 use crate::geometry::Vector;
 use crate::scene::{Obstacle, Shape};
 use crate::units::METRES_PER_MM;
@@ -16,28 +15,20 @@ use eframe::egui::{Button, Popup, PopupCloseBehavior, Response, TextEdit, Ui, ve
 /// Width of the menu, in points.
 const WIDTH: f32 = 216.0;
 
-/// What the menu was opened on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Opened {
-    target: Target,
-    /// In mm.
-    at: Vector,
-}
-
 /// Opens the menu on a target at a point in metres. Selects it.
-pub fn open(state: &mut State, target: Target, at: Vector) {
+pub fn open(canvas: &mut Canvas, bench: &mut Workbench, target: Target, at: Vector) {
     if let Some(index) = target.obstacle() {
-        state.selection = Selection::Obstacle(index);
+        bench.selection = Selection::Obstacle(index);
     }
-    state.canvas.menu = Some(Opened {
+    canvas.menu = Some(Opened {
         target,
         at: at / METRES_PER_MM,
     });
 }
 
 /// Shows the menu while it is open.
-pub fn show(response: &Response, state: &mut State, frame: &Frame) {
-    let Some(opened) = state.canvas.menu else {
+pub fn show(response: &Response, canvas: &mut Canvas, bench: &mut Workbench, frame: &Frame) {
+    let Some(opened) = canvas.menu else {
         return;
     };
     Popup::context_menu(response)
@@ -45,16 +36,22 @@ pub fn show(response: &Response, state: &mut State, frame: &Frame) {
         .show(|ui| {
             ui.set_width(WIDTH);
             match opened.target.obstacle() {
-                Some(index) if index < state.document.scene.obstacles.len() => {
-                    of_obstacle(ui, state, index, opened);
+                Some(index) if index < bench.document.scene.obstacles.len() => {
+                    of_obstacle(ui, canvas, bench, index, opened);
                 }
-                _ => of_plane(ui, state, opened, frame),
+                _ => of_plane(ui, canvas, bench, opened, frame),
             }
         });
 }
 
-fn of_obstacle(ui: &mut Ui, state: &mut State, index: usize, opened: Opened) {
-    let obstacle = &mut state.document.scene.obstacles[index];
+fn of_obstacle(
+    ui: &mut Ui,
+    canvas: &mut Canvas,
+    bench: &mut Workbench,
+    index: usize,
+    opened: Opened,
+) {
+    let obstacle = &mut bench.document.scene.obstacles[index];
     let label = ui.weak("Rename");
     let mut name = obstacle.name.clone().unwrap_or_default();
     let field = TextEdit::singleline(&mut name)
@@ -69,8 +66,8 @@ fn of_obstacle(ui: &mut Ui, state: &mut State, index: usize, opened: Opened) {
         ui.close();
     }
     ui.separator();
-    command(ui, state, Command::Duplicate);
-    let shape = state.document.scene.obstacles[index].shape.clone();
+    command(ui, bench, Command::Duplicate);
+    let shape = bench.document.scene.obstacles[index].shape.clone();
     let mut edited = None;
     if let Shape::Polygon { .. } = shape {
         if let Target::Handle(_, Handle::Vertex(vertex)) = opened.target {
@@ -104,15 +101,21 @@ fn of_obstacle(ui: &mut Ui, state: &mut State, index: usize, opened: Opened) {
         edited = Some(straight);
     }
     if let Some(shape) = edited {
-        state.canvas.vertex = None;
-        state.document.scene.obstacles[index].shape = shape;
+        canvas.vertex = None;
+        bench.document.scene.obstacles[index].shape = shape;
         ui.close();
     }
     ui.separator();
-    command(ui, state, Command::Delete);
+    command(ui, bench, Command::Delete);
 }
 
-fn of_plane(ui: &mut Ui, state: &mut State, opened: Opened, frame: &Frame) {
+fn of_plane(
+    ui: &mut Ui,
+    canvas: &mut Canvas,
+    bench: &mut Workbench,
+    opened: Opened,
+    frame: &Frame,
+) {
     for (tool, title) in [
         (Tool::Disc, "Add a disc here"),
         (Tool::Box, "Add a box here"),
@@ -120,22 +123,22 @@ fn of_plane(ui: &mut Ui, state: &mut State, opened: Opened, frame: &Frame) {
         (Tool::Wall, "Add a wall here"),
     ] {
         if item(ui, tool.icon(), title, true) {
-            add(state, tool, METRES_PER_MM * opened.at, frame);
+            add(canvas, bench, tool, METRES_PER_MM * opened.at, frame);
             ui.close();
         }
     }
     ui.separator();
-    command(ui, state, Command::Fit);
+    command(ui, bench, Command::Fit);
 }
 
 /// Adds the obstacle of a tool at a point in metres, and selects it.
-pub fn add(state: &mut State, tool: Tool, at: Vector, frame: &Frame) {
-    let scene = &mut state.document.scene;
-    let shape = place::clicked(tool, at / METRES_PER_MM, &scene.robot, per_point(frame));
+pub fn add(canvas: &mut Canvas, bench: &mut Workbench, tool: Tool, at: Vector, frame: &Frame) {
+    let scene = &mut bench.document.scene;
+    let shape = clicked(tool, at / METRES_PER_MM, &scene.robot, per_point(frame));
     if let Some(shape) = shape {
         scene.obstacles.push(Obstacle::from(shape));
-        state.selection = Selection::Obstacle(scene.obstacles.len() - 1);
-        state.canvas.tool = Tool::Select;
+        bench.selection = Selection::Obstacle(scene.obstacles.len() - 1);
+        canvas.tool = Tool::Select;
     }
 }
 
@@ -147,7 +150,7 @@ fn item(ui: &mut Ui, glyph: &str, title: &str, enabled: bool) -> bool {
     response.accessible_name(title).clicked()
 }
 
-fn command(ui: &mut Ui, state: &mut State, command: Command) {
+fn command(ui: &mut Ui, bench: &mut Workbench, command: Command) {
     let entry = command.entry();
     let mut button = Button::new((icon(entry.icon), entry.title))
         .frame_when_inactive(false)
@@ -155,9 +158,9 @@ fn command(ui: &mut Ui, state: &mut State, command: Command) {
     if let Some(keys) = &entry.shortcut {
         button = button.shortcut_text(ui.ctx().format_shortcut(keys));
     }
-    let response = ui.add_enabled(command.is_enabled(state), button);
+    let response = ui.add_enabled(bench.allows(command), button);
     if response.accessible_name(entry.title).clicked() {
-        state.commands.push(command);
+        bench.commands.push(command);
         ui.close();
     }
 }

@@ -1,6 +1,6 @@
 //! The pull that brings the tip to a place.
 
-use crate::app::state::State;
+use crate::app::workbench::Workbench;
 use crate::explore::Path;
 use crate::geometry::Vector;
 use crate::units::metres;
@@ -23,9 +23,9 @@ pub enum TipMap {
 
 impl TipMap {
     /// The best map there is now.
-    pub fn of(state: &State) -> Self {
-        let live = &state.live;
-        let pull = state.document.problem().pull();
+    pub fn of(bench: &Workbench) -> Self {
+        let live = &bench.live;
+        let pull = bench.document.problem().pull();
         let known = live.path().filter(|path| {
             let range = path.range();
             let covers = range.is_some_and(|(least, most)| (least..=most).contains(&pull));
@@ -37,17 +37,17 @@ impl TipMap {
     /// The pull in metres, within the slider's span, that brings the tip
     /// nearest to a point in metres. The free robot's tip is elsewhere than one
     /// in contact: use it for differences.
-    pub fn pull_for_tip(&self, state: &State, point: Vector) -> Option<f64> {
-        let span = state.span_mm();
+    pub fn pull_for_tip(&self, bench: &Workbench, point: Vector) -> Option<f64> {
+        let span = bench.span_mm();
         let span = (metres(span.0), metres(span.1));
         match self {
             Self::Path(path) => {
-                let now = metres(state.document.scene.actuation.pull_mm);
+                let now = metres(bench.pull_mm());
                 let pull = path.nearest_to_tip_from(point, now)?;
                 Some(pull.clamp(span.0, span.1))
             }
             Self::Free => {
-                let robot = state.document.problem().robot();
+                let robot = bench.document.problem().robot();
                 let (least, most) = robot.pull_range();
                 let away = |pull: f64| (robot.free_arc(pull).tip.position - point).norm();
                 nearest(away, (span.0.max(least), span.1.min(most)))

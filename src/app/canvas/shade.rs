@@ -1,7 +1,7 @@
 //! What a robot that jumps leaves behind: its old shape, which fades.
 
-use super::to_screen;
 use crate::app::look::Tokens;
+use crate::app::paint::to_screen;
 use crate::geometry::Vector;
 use crate::view::Frame;
 use eframe::egui::{Painter, Pos2, Shape, Stroke, Ui};

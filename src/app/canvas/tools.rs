@@ -1,11 +1,12 @@
 //! The tools at the canvas's left edge, and drawing a polygon with one.
 
-use super::handles::{convex, written};
-use super::{Canvas, hit, to_screen};
+use super::hit;
+use super::view::Canvas;
 use crate::app::commands::Command;
-use crate::app::look::{Tokens, icon_button, icons};
-use crate::app::notices::Notice;
-use crate::app::state::{Selection, State};
+use crate::app::look::{Tokens, icon_button};
+use crate::app::paint::{to_screen, to_world};
+use crate::app::shapes::{Tool, convex, neat, written};
+use crate::app::workbench::{Notice, Selection, Workbench};
 use crate::geometry::Vector;
 use crate::scene::limits::VERTICES;
 use crate::scene::{Obstacle, Shape};
@@ -15,58 +16,16 @@ use eframe::egui::{
     self, Color32, Layout, Margin, Painter, Pos2, Rect, Sense, Stroke, Ui, UiBuilder, pos2, vec2,
 };
 
-/// What clicks and drags on the canvas do.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tool {
-    /// They select, move and resize.
-    #[default]
-    Select,
-    /// They add a disc.
-    Disc,
-    /// They add a box.
-    Box,
-    /// They add a capsule.
-    Capsule,
-    /// They add a polygon, vertex by vertex.
-    Polygon,
-    /// They add a wall.
-    Wall,
-}
-
-impl Tool {
-    /// All tools, from top to bottom.
-    pub const ALL: [Self; 6] = [
-        Self::Select,
-        Self::Disc,
-        Self::Box,
-        Self::Capsule,
-        Self::Polygon,
-        Self::Wall,
-    ];
-
-    /// The tool's icon.
-    pub const fn icon(self) -> &'static str {
-        match self {
-            Tool::Select => icons::HAND_POINTING,
-            Tool::Disc => icons::CIRCLE,
-            Tool::Box => icons::SQUARE,
-            Tool::Capsule => icons::PILL,
-            Tool::Polygon => icons::POLYGON,
-            Tool::Wall => icons::WALL,
-        }
-    }
-
-    /// What to do with the tool; nothing for the one that is always there.
-    fn advice(self) -> Option<&'static str> {
-        Some(match self {
-            Tool::Select => return None,
-            Tool::Disc => "Click, or drag from the centre outward",
-            Tool::Box => "Click, or drag from corner to corner",
-            Tool::Capsule => "Click, or drag from end to end",
-            Tool::Polygon => "Click its vertices, then Enter or a double click",
-            Tool::Wall => "Click, or drag along the surface",
-        })
-    }
+/// What to do with the tool; nothing for the one that is always there.
+fn advice(tool: Tool) -> Option<&'static str> {
+    Some(match tool {
+        Tool::Select => return None,
+        Tool::Disc => "Click, or drag from the centre outward",
+        Tool::Box => "Click, or drag from corner to corner",
+        Tool::Capsule => "Click, or drag from end to end",
+        Tool::Polygon => "Click its vertices, then Enter or a double click",
+        Tool::Wall => "Click, or drag along the surface",
+    })
 }
 
 /// Width of the strip with its distance from the edge, in points.
@@ -77,7 +36,7 @@ const BUTTON: f32 = 32.0;
 const TOUCHED: f32 = 40.0;
 
 /// Shows the strip, and what its tool wants of the user.
-pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) -> Rect {
+pub fn show(ui: &mut Ui, canvas: &mut Canvas, bench: &mut Workbench, rect: Rect) -> Rect {
     let tokens = Tokens::in_ui(ui);
     let touch = ui.input(|input| input.has_touch_screen());
     let button = if touch { TOUCHED } else { BUTTON };
@@ -94,7 +53,7 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) -> Rect {
             ui.spacing_mut().item_spacing = vec2(0.0, 2.0);
             ui.spacing_mut().interact_size = egui::Vec2::splat(button);
             for tool in Tool::ALL {
-                let chosen = state.canvas.tool == tool;
+                let chosen = canvas.tool == tool;
                 ui.scope(|ui| {
                     if chosen {
                         let visuals = &mut ui.style_mut().visuals;
@@ -107,14 +66,14 @@ pub fn show(ui: &mut Ui, state: &mut State, rect: Rect) -> Rect {
                     }
                     let command = Command::Tool(tool);
                     if tool_button(ui, tool, chosen, &command.tip(ui.ctx())).clicked() {
-                        state.commands.push(command);
+                        bench.commands.push(command);
                     }
                 });
             }
         });
     });
     let area = strip.response.rect;
-    if let Some(advice) = state.canvas.tool.advice() {
+    if let Some(advice) = advice(canvas.tool) {
         let at = area.right_top() + vec2(8.0, 4.0);
         let text = format!("{advice} · Esc stops");
         super::chip::text(ui.painter(), rect, at, &text, &tokens);
@@ -142,28 +101,15 @@ pub fn raised(tokens: &Tokens, margin: i8) -> egui::Frame {
         .inner_margin(Margin::same(margin))
 }
 
-impl Canvas {
-    /// Takes a tool in hand.
-    pub fn take_tool(&mut self, tool: Tool) {
-        self.draft.clear();
-        self.tool = tool;
-    }
-
-    /// The tool in hand.
-    pub fn tool(&self) -> Tool {
-        self.tool
-    }
-}
-
 /// Adds a vertex to the polygon being drawn, at a point in metres, or closes it
 /// where it began.
-pub fn add_to_draft(state: &mut State, frame: &Frame, at: Vector) {
+pub fn add_to_draft(canvas: &mut Canvas, bench: &mut Workbench, frame: &Frame, at: Vector) {
     let per_point = hit::per_point(frame);
-    let at = (at / METRES_PER_MM).map(|x| super::handles::neat(x, per_point));
-    let draft = &mut state.canvas.draft;
+    let at = (at / METRES_PER_MM).map(|x| neat(x, per_point));
+    let draft = &mut canvas.draft;
     let begun = draft.first().copied();
     if draft.len() >= 3 && begun.is_some_and(|first| (first - at).norm() < 10.0 * per_point) {
-        close_draft(state);
+        close_draft(canvas, bench);
         return;
     }
     if draft.len() < VERTICES && draft.last() != Some(&at) {
@@ -172,25 +118,25 @@ pub fn add_to_draft(state: &mut State, frame: &Frame, at: Vector) {
 }
 
 /// Makes an obstacle of the polygon being drawn, or tells why not.
-pub fn close_draft(state: &mut State) {
-    let draft = std::mem::take(&mut state.canvas.draft);
-    state.canvas.tool = Tool::Select;
+pub fn close_draft(canvas: &mut Canvas, bench: &mut Workbench) {
+    let draft = std::mem::take(&mut canvas.draft);
+    canvas.tool = Tool::Select;
     let Some(found) = convex(&draft) else {
         let why = "A polygon needs three vertices that are not on one line.";
-        state.notices.tell(Notice::information(why));
+        bench.notices.tell(Notice::information(why));
         return;
     };
     if found.left_out > 0 {
         let what = "Obstacles are convex, so the polygon became its convex hull.";
-        state.notices.tell(Notice::information(what));
+        bench.notices.tell(Notice::information(what));
     }
-    let obstacles = &mut state.document.scene.obstacles;
+    let obstacles = &mut bench.document.scene.obstacles;
     obstacles.push(Obstacle::from(Shape::Polygon {
         points_mm: found.points.iter().map(|p| written(*p)).collect(),
         rotation_deg: 0.0,
         corner_radius_mm: 0.0,
     }));
-    state.selection = Selection::Obstacle(obstacles.len() - 1);
+    bench.selection = Selection::Obstacle(obstacles.len() - 1);
 }
 
 /// Paints the polygon being drawn, up to the pointer.
@@ -210,7 +156,7 @@ pub fn paint_draft(
     let mut shown = canvas.draft.clone();
     if let Some(pointer) = pointer {
         line.push(pointer);
-        shown.push(super::to_world(frame, pointer) / METRES_PER_MM);
+        shown.push(to_world(frame, pointer) / METRES_PER_MM);
     }
     // What it would become now.
     if let Some(found) = convex(&shown) {

@@ -1,12 +1,12 @@
 //! Files dropped on the window and text pasted into it: told apart by their
 //! ending or what they say, and announced while they still hang over it.
 
-use super::{Arrival, Intent, open, request, shown};
+use super::{open, request};
 use crate::app::link;
 use crate::app::look::{Tokens, icon_font, icons, semibold};
-use crate::app::notices::Notice;
 use crate::app::platform::Errand;
-use crate::app::state::State;
+use crate::app::words::{sentence, shown};
+use crate::app::workbench::{Arrival, Intent, Notice, Workbench};
 use crate::scene::Scene;
 use eframe::egui::{
     Align2, Context, CornerRadius, Event, FontId, Id, LayerId, Order, Stroke, StrokeKind, Ui,
@@ -62,13 +62,13 @@ impl Dropped {
 const USELESS: &str = "Drop a scene (.toml), measurements (.csv) or a photograph (.png, .jpg)";
 
 /// Takes the files that were dropped on the window.
-pub fn take_drops(state: &mut State, ctx: &Context) {
+pub fn take_drops(bench: &mut Workbench, ctx: &Context) {
     for file in ctx.input(|input| input.raw.dropped_files.clone()) {
         match Dropped::of(file.path()) {
-            Dropped::For(errand) => state.files.platform.take(errand, file),
+            Dropped::For(errand) => bench.files.platform.take(errand, file),
             Dropped::Useless => {
                 let name = shown(file.path());
-                state.notices.tell(Notice::trouble(format!(
+                bench.notices.tell(Notice::trouble(format!(
                     "{name} cannot be used here. {USELESS}."
                 )));
             }
@@ -139,8 +139,8 @@ pub fn announce(ui: &Ui) {
 
 /// Opens a link to a scene, or a scene's text, that was pasted while no text
 /// was being written.
-pub fn take_pastes(state: &mut State, ctx: &Context) {
-    if ctx.text_edit_focused() || state.sheets.is_open() {
+pub fn take_pastes(bench: &mut Workbench, ctx: &Context) {
+    if ctx.text_edit_focused() {
         return;
     }
     let pasted = ctx.input_mut(|input| {
@@ -154,17 +154,17 @@ pub fn take_pastes(state: &mut State, ctx: &Context) {
         }
     });
     if let Some(text) = pasted {
-        open_text(state, &text, ctx);
+        open_text(bench, &text, ctx);
     }
 }
 
 /// Opens a link to a scene or a scene's text.
-pub fn open_text(state: &mut State, text: &str, ctx: &Context) {
+pub fn open_text(bench: &mut Workbench, text: &str, ctx: &Context) {
     let (scene, told) = if is_scene(text) {
         match open::scene_from(text.as_bytes(), None) {
             Ok(scene) => (scene, "Opened the pasted scene"),
             Err(faults) => {
-                open::refuse(state, "The pasted scene", &faults);
+                open::refuse(bench, "The pasted scene", &faults);
                 return;
             }
         }
@@ -172,14 +172,14 @@ pub fn open_text(state: &mut State, text: &str, ctx: &Context) {
         match link::decode(text) {
             Ok(scene) => (scene, "Opened the link’s scene"),
             Err(fault) => {
-                let fault = super::sentence(&fault.to_string());
-                state.notices.tell(Notice::trouble(fault));
+                let fault = sentence(&fault.to_string());
+                bench.notices.tell(Notice::trouble(fault));
                 return;
             }
         }
     };
     let arrival = Arrival::of(scene).telling(told);
-    request(state, Intent::Scene(Box::new(arrival)), ctx);
+    request(bench, Intent::Scene(Box::new(arrival)), ctx);
 }
 
 /// Whether text is meant as a scene's, faults or not.

@@ -2,19 +2,16 @@
 
 use super::file_name;
 use crate::app::link;
-use crate::app::notices::Notice;
 use crate::app::platform::{Contents, Destination, Errand, PictureKind};
-use crate::app::state::State;
+use crate::app::words::sentence;
+use crate::app::workbench::{Notice, Workbench};
 use crate::report::svg;
 use crate::view::{Drawing, Theme};
 use eframe::egui::Context;
 use std::path::Path;
 
-/// Pixels of a PNG in a pixel of the picture.
-pub const SCALE: f64 = 2.0;
-
 /// Exports the robot and its obstacles as a picture, in the window's theme.
-pub fn picture(state: &mut State, kind: PictureKind, ctx: &Context) {
+pub fn picture(bench: &mut Workbench, kind: PictureKind, ctx: &Context) {
     let theme = match ctx.theme() {
         eframe::egui::Theme::Light => Theme::Light,
         eframe::egui::Theme::Dark => Theme::Dark,
@@ -23,8 +20,8 @@ pub fn picture(state: &mut State, kind: PictureKind, ctx: &Context) {
         PictureKind::Svg => "svg",
         PictureKind::Png => "png",
     };
-    let name = file_name(state, ending);
-    let drawing = state.live.drawing().clone();
+    let name = file_name(bench, ending);
+    let drawing = bench.live.drawing().clone();
     let contents = Box::new(move |_: &Path| {
         let size = svg::Size::suiting(&drawing);
         match kind {
@@ -32,12 +29,12 @@ pub fn picture(state: &mut State, kind: PictureKind, ctx: &Context) {
             PictureKind::Png => pixels(&drawing, theme, size),
         }
     });
-    write(state, Errand::Picture(kind), name, contents);
+    write(bench, Errand::Picture(kind), name, contents);
 }
 
 #[cfg(not(target_arch = "wasm32"))]
 fn pixels(drawing: &Drawing, theme: Theme, size: svg::Size) -> Result<Vec<u8>, String> {
-    let png = crate::report::png::render(drawing, theme, size, SCALE);
+    let png = crate::report::png::render(drawing, theme, size, crate::app::pixels::SCALE);
     png.map_err(|error| error.to_string())
 }
 
@@ -52,40 +49,40 @@ fn pixels(drawing: &Drawing, theme: Theme, size: svg::Size) -> Result<Vec<u8>, S
 }
 
 /// Exports a plot as a picture or as its numbers.
-pub fn plot(state: &mut State, word: &str, ending: &str, bytes: Vec<u8>) {
+pub fn plot(bench: &mut Workbench, word: &str, ending: &str, bytes: Vec<u8>) {
     let errand = match ending {
         "svg" => Errand::Picture(PictureKind::Svg),
         _ => Errand::Table,
     };
-    let scene = file_name(state, ending);
+    let scene = file_name(bench, ending);
     let scene = scene.strip_suffix(&format!(".{ending}")).unwrap_or(&scene);
     let name = format!("{scene}-{word}.{ending}");
-    write(state, errand, name, Box::new(move |_: &Path| Ok(bytes)));
+    write(bench, errand, name, Box::new(move |_: &Path| Ok(bytes)));
 }
 
 /// Asks where a file is to go, unless something is being asked already.
-fn write(state: &mut State, errand: Errand, name: String, contents: Contents) {
-    if state.files.is_asking() {
+fn write(bench: &mut Workbench, errand: Errand, name: String, contents: Contents) {
+    if bench.files.is_asking() {
         return;
     }
-    let folder = super::folder(state);
-    super::ask(state, errand);
+    let folder = super::folder(bench);
+    super::ask(bench, errand);
     let to = Destination::Ask { name, folder };
-    state.files.platform.write(errand, to, contents);
+    bench.files.platform.write(errand, to, contents);
 }
 
 /// Copies a link that holds the whole scene.
-pub fn copy_link(state: &mut State, ctx: &Context) {
-    match link::encode(&state.document.scene) {
+pub fn copy_link(bench: &mut Workbench, ctx: &Context) {
+    match link::encode(&bench.document.scene) {
         Ok(fragment) => {
-            let address = state.files.platform.address();
+            let address = bench.files.platform.address();
             ctx.copy_text(format!("{address}{fragment}"));
             let told = "Copied a link that holds the whole scene";
-            state.notices.tell(Notice::success(told));
+            bench.notices.tell(Notice::success(told));
         }
         Err(fault) => {
             let told = format!("There is no link to this scene: {fault}");
-            state.notices.tell(Notice::trouble(super::sentence(&told)));
+            bench.notices.tell(Notice::trouble(sentence(&told)));
         }
     }
 }

@@ -2,36 +2,13 @@
 //! present one. One that cannot be solved changes nothing and is told with all
 //! of its faults.
 
-use super::{Arrival, Intent, autosave, photo_path, request, shown};
+use super::{autosave, photo_path, request};
 use crate::app::commands::Command;
-use crate::app::document::Document;
-use crate::app::history::History;
-use crate::app::notices::Notice;
-use crate::app::sheets::Sheet;
-use crate::app::state::State;
+use crate::app::words::{faults_of, shown};
+use crate::app::workbench::{Arrival, Document, History, Intent, Notice, Trouble, Workbench};
 use crate::scene::{Scene, SceneError};
 use eframe::egui::Context;
 use std::path::{Path, PathBuf};
-
-impl Arrival {
-    /// A scene that is kept nowhere and does not need to be.
-    pub fn of(scene: Scene) -> Self {
-        Self {
-            scene,
-            file: None,
-            told: None,
-            kept: true,
-            drawer: None,
-        }
-    }
-
-    /// The same, and what is told when it is open.
-    #[must_use]
-    pub fn telling(mut self, told: impl Into<String>) -> Self {
-        self.told = Some(told.into());
-        self
-    }
-}
 
 /// The scene in a file's bytes, which can be solved.
 ///
@@ -46,16 +23,8 @@ pub fn scene_from(bytes: &[u8], file: Option<&Path>) -> Result<Scene, Vec<SceneE
     Ok(scene)
 }
 
-/// Faults as sentences.
-pub fn faults_of(faults: &[SceneError]) -> Vec<String> {
-    faults
-        .iter()
-        .map(|fault| super::sentence(&fault.to_string()))
-        .collect()
-}
-
 /// Opens what a file holds, after asking where unsaved work would be lost.
-pub(super) fn scene_file(state: &mut State, path: PathBuf, bytes: &[u8], ctx: &Context) {
+pub(super) fn scene_file(bench: &mut Workbench, path: PathBuf, bytes: &[u8], ctx: &Context) {
     match scene_from(bytes, Some(&path)) {
         Ok(scene) => {
             let arrival = Arrival {
@@ -65,22 +34,22 @@ pub(super) fn scene_file(state: &mut State, path: PathBuf, bytes: &[u8], ctx: &C
                 kept: true,
                 drawer: None,
             };
-            request(state, Intent::Scene(Box::new(arrival)), ctx);
+            request(bench, Intent::Scene(Box::new(arrival)), ctx);
         }
-        Err(faults) => refuse(state, &shown(&path), &faults),
+        Err(faults) => refuse(bench, &shown(&path), &faults),
     }
 }
 
 /// Says why a scene is not opened.
-pub(super) fn refuse(state: &mut State, name: &str, faults: &[SceneError]) {
-    let sheet = Sheet::trouble(format!("{name} cannot be opened"), faults_of(faults))
+pub(super) fn refuse(bench: &mut Workbench, name: &str, faults: &[SceneError]) {
+    let trouble = Trouble::new(format!("{name} cannot be opened"), faults_of(faults))
         .with("Nothing has changed here. Correct the file and open it again, or open another:")
         .offering("Open another …", Command::Open);
-    state.sheets.show(sheet);
+    bench.trouble = Some(trouble);
 }
 
 /// Puts a scene in the place of the present one.
-pub(super) fn arrive(state: &mut State, arrival: Arrival) {
+pub(super) fn arrive(bench: &mut Workbench, arrival: Arrival) {
     let Arrival {
         scene,
         file,
@@ -91,27 +60,27 @@ pub(super) fn arrive(state: &mut State, arrival: Arrival) {
     let name = file
         .as_deref()
         .map_or_else(|| "The scene".to_owned(), shown);
-    if let Err(faults) = state.open(scene) {
-        refuse(state, &name, &faults);
+    if let Err(faults) = bench.open(scene) {
+        refuse(bench, &name, &faults);
         return;
     }
     if let Some(file) = file {
         // Undo must not lead to another file's scene under this one's name.
-        state.history = History::new(&state.document.scene);
-        state.files.remember(&file);
-        state.document.file = Some(file);
+        bench.history = History::new(&bench.document.scene);
+        bench.files.remember(&file);
+        bench.document.file = Some(file);
     }
     if !kept {
-        state.document.mark_unkept();
+        bench.document.mark_unkept();
     }
     if let Some(drawer) = drawer {
         // It is this window's to keep before it is no other's.
-        autosave::keep(state);
-        autosave::forget(state, &drawer);
+        autosave::keep(bench);
+        autosave::forget(bench, &drawer);
     }
-    state.sheets.sheet = None;
-    crate::app::photo::fetch(state);
+    bench.trouble = None;
+    crate::app::photo::fetch(bench);
     if let Some(told) = told {
-        state.notices.tell(Notice::success(told));
+        bench.notices.tell(Notice::success(told));
     }
 }

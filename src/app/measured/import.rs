@@ -2,10 +2,8 @@
 //! the robot changes nothing and is told with its rows.
 
 use crate::app::commands::Command;
-use crate::app::files::{faults_of, sentence, shown};
-use crate::app::notices::Notice;
-use crate::app::sheets::Sheet;
-use crate::app::state::{Selection, State};
+use crate::app::words::{faults_of, sentence, shown};
+use crate::app::workbench::{Notice, Selection, Trouble, Workbench};
 use crate::experiments::measured_csv::{LeftOut, Sheet as Table};
 use crate::experiments::{Measured, MeasuredPoint};
 use crate::model::Problem;
@@ -13,23 +11,23 @@ use crate::scene::{Measurements, Scene};
 use std::path::Path;
 
 /// Brings a table's measurements into the scene.
-pub fn import(state: &mut State, path: &Path, bytes: &[u8]) {
+pub fn import(bench: &mut Workbench, path: &Path, bytes: &[u8]) {
     let name = shown(path);
-    match imported(&state.document.scene, bytes) {
+    match imported(&bench.document.scene, bytes) {
         Ok((measured, what, left_out)) => {
-            state.document.scene.measured = Some(measured);
-            state.selection = Selection::Measured;
+            bench.document.scene.measured = Some(measured);
+            bench.selection = Selection::Measured;
             let mut told = format!("Imported {what} from {name}");
             if !left_out.rows().is_empty() {
                 told = format!("{told}. {}", sentence(&left_out.to_string()));
             }
-            state.notices.tell(Notice::success(told));
+            bench.notices.tell(Notice::success(told));
         }
         Err(faults) => {
-            let sheet = Sheet::trouble(format!("{name} cannot be imported"), faults)
+            let trouble = Trouble::new(format!("{name} cannot be imported"), faults)
                 .with("Nothing has changed here. Correct the table, or choose another:")
                 .offering("Choose …", Command::ImportMeasurements);
-            state.sheets.show(sheet);
+            bench.trouble = Some(trouble);
         }
     }
 }

@@ -2,7 +2,7 @@
 //! are. Only in builds for tests.
 
 use super::Page;
-use crate::app::state::State;
+use crate::app::window::Sinew;
 use crate::geometry::Vector;
 use crate::units::{metres, millimetres};
 use eframe::egui::{Context, FullOutput, Plugin};
@@ -59,7 +59,7 @@ pub fn sinew_pixel(x_mm: f64, y_mm: f64) -> Option<Vec<f64>> {
     RUNNER.with(|runner| {
         let runner = runner.borrow();
         let page = runner.as_ref()?.app_mut::<Page>()?;
-        let frame = page.window.state().canvas.frame();
+        let frame = page.window.canvas().frame();
         let pixel = frame.to_screen(Vector::new(metres(x_mm), metres(y_mm)));
         Some(vec![pixel.x, pixel.y])
     })
@@ -72,7 +72,7 @@ pub fn sinew_panic() {
 }
 
 fn of_page(page: &Page) -> Value {
-    let mut value = of_state(page.window.state());
+    let mut value = of_window(&page.window);
     let solver = if page.arrived.is_some() {
         "worker"
     } else {
@@ -91,17 +91,18 @@ fn of_page(page: &Page) -> Value {
     value
 }
 
-fn of_state(state: &State) -> Value {
-    let live = &state.live;
-    let scene = &state.document.scene;
+fn of_window(window: &Sinew) -> Value {
+    let bench = window.bench();
+    let live = &bench.live;
+    let scene = &bench.document.scene;
     let solution = live.solution();
     let point = |at: Vector| json!([millimetres(at.x), millimetres(at.y)]);
     let obstacles = live.problem().obstacles().iter();
     let contacts = solution.into_iter().flat_map(|solution| &solution.contacts);
     json!({
         "title": scene.title,
-        "pull_mm": scene.actuation.pull_mm,
-        "span_mm": [state.span_mm().0, state.span_mm().1],
+        "pull_mm": bench.pull_mm(),
+        "span_mm": [bench.span_mm().0, bench.span_mm().1],
         "obstacles_mm": obstacles.map(|o| point(o.position())).collect::<Vec<_>>(),
         "settled": live.is_settled(),
         "status": solution.map(|solution| solution.status.word()),
@@ -118,10 +119,10 @@ fn of_state(state: &State) -> Value {
         "solve_ms": live.time().as_secs_f64() * 1e3,
         "path_states": live.path().map(|path| path.states.len()),
         "path_is_current": live.path_is_current(),
-        "points_per_mm": state.canvas.frame().scale * metres(1.0),
-        "notices": state.notices.iter().map(|notice| &notice.text).collect::<Vec<_>>(),
-        "still": state.preferences.still,
-        "undo": state.history.can_undo(scene),
+        "points_per_mm": window.canvas().frame().scale * metres(1.0),
+        "notices": bench.notices.iter().map(|notice| &notice.text).collect::<Vec<_>>(),
+        "still": bench.preferences.still,
+        "undo": bench.history.can_undo(scene),
     })
 }
 

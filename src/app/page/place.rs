@@ -1,9 +1,9 @@
 //! Where the window is in the browser's history: each example that is opened
 //! is a place of its own in the page's address, to which there is a way back.
 
-use crate::app::document::Document;
 use crate::app::examples::{EXAMPLES, Example};
-use crate::app::files::sentence;
+use crate::app::words::sentence;
+use crate::app::workbench::Document;
 use crate::scene::Scene;
 
 /// What a fragment that names an example begins with.

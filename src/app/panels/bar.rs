@@ -4,7 +4,8 @@
 use super::{menu, settings};
 use crate::app::commands::Command;
 use crate::app::look::{Segment, Tokens, icon, icon_button, icons, segments};
-use crate::app::state::{State, Views};
+use crate::app::widgets::button;
+use crate::app::workbench::{Views, Workbench};
 use eframe::egui::{Align, Button, Label, Layout, RichText, Role, Ui, WidgetInfo, vec2};
 
 /// Below these widths, in points, the bar leaves out what can be reached
@@ -13,53 +14,53 @@ const WIDE: f32 = 980.0;
 const MIDDLING: f32 = 640.0;
 
 /// Shows the bar.
-pub fn show(ui: &mut Ui, state: &mut State) {
+pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     let width = ui.available_width();
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let phone = width < MIDDLING;
-        menu::show(ui, state, !phone);
+        menu::show(ui, bench, !phone);
         if !phone {
-            examples(ui, state);
+            examples(ui, bench);
         }
-        button(ui, state, Command::Undo);
-        button(ui, state, Command::Redo);
+        button(ui, bench, Command::Undo);
+        button(ui, bench, Command::Redo);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             if !phone {
-                button(ui, state, Command::Help);
+                button(ui, bench, Command::Help);
             }
-            settings::show(ui, state);
+            settings::show(ui, bench);
             if !phone {
-                theme(ui, state);
+                theme(ui, bench);
             }
-            button(ui, state, Command::Dock);
-            button(ui, state, Command::Outline);
+            button(ui, bench, Command::Dock);
+            button(ui, bench, Command::Outline);
             if width >= WIDE {
                 ui.add_space(4.0);
-                search(ui, state);
+                search(ui, bench);
                 ui.add_space(4.0);
             } else {
-                button(ui, state, Command::Palette);
+                button(ui, bench, Command::Palette);
             }
-            views(ui, state, phone);
+            views(ui, bench, phone);
             if !phone {
                 ui.add_space(4.0);
-                name(ui, state);
+                name(ui, bench);
             }
         });
     });
 }
 
 /// What the document is called, in what room is left.
-fn name(ui: &mut Ui, state: &State) {
+fn name(ui: &mut Ui, bench: &Workbench) {
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
         ui.add_space(8.0);
         let tokens = Tokens::in_ui(ui);
-        let changed = state.document.is_changed();
+        let changed = bench.document.is_changed();
         let mark = if changed { " •" } else { "" };
-        let name = RichText::new(format!("{}{mark}", state.document.name()));
-        let place = match &state.document.file {
+        let name = RichText::new(format!("{}{mark}", bench.document.name()));
+        let place = match &bench.document.file {
             Some(file) => file.display().to_string(),
             None => "Not saved to a file".to_owned(),
         };
@@ -73,17 +74,17 @@ fn name(ui: &mut Ui, state: &State) {
     });
 }
 
-fn examples(ui: &mut Ui, state: &mut State) {
+fn examples(ui: &mut Ui, bench: &mut Workbench) {
     let label = (icon(icons::GRADUATION_CAP), RichText::new("Examples"));
     let button = Button::new(label).frame_when_inactive(false);
     let tip = Command::Examples.tip(ui.ctx());
     if ui.add(button).on_hover_text(tip).clicked() {
-        state.commands.push(Command::Examples);
+        bench.commands.push(Command::Examples);
     }
 }
 
 /// The theme that the button leads to.
-fn theme(ui: &mut Ui, state: &mut State) {
+fn theme(ui: &mut Ui, bench: &mut Workbench) {
     let (glyph, name) = if ui.visuals().dark_mode {
         (icons::SUN, "Light")
     } else {
@@ -91,12 +92,12 @@ fn theme(ui: &mut Ui, state: &mut State) {
     };
     let tip = Command::Theme.tip_saying(&format!("{name} theme"), ui.ctx());
     if icon_button(ui, glyph, &tip).clicked() {
-        state.commands.push(Command::Theme);
+        bench.commands.push(Command::Theme);
     }
 }
 
 /// The views, of which one is chosen.
-fn views(ui: &mut Ui, state: &mut State, phone: bool) {
+fn views(ui: &mut Ui, bench: &mut Workbench, phone: bool) {
     let views = [
         (Views::Plane, "2-D", Command::ViewPlane),
         (Views::Space, "3-D", Command::ViewSpace),
@@ -113,15 +114,15 @@ fn views(ui: &mut Ui, state: &mut State, phone: bool) {
         true => (&shown[..2], 40.0),
         false => (&shown[..], 46.0),
     };
-    let current = state.preferences.views;
+    let current = bench.preferences.views;
     let current = views.iter().position(|(view, ..)| *view == current);
     if let Some(chosen) = segments(ui, width, shown, current) {
-        state.commands.push(views[chosen].2);
+        bench.commands.push(views[chosen].2);
     }
 }
 
 /// The way to all commands, looking like the field that it leads to.
-fn search(ui: &mut Ui, state: &mut State) {
+fn search(ui: &mut Ui, bench: &mut Workbench) {
     let tokens = Tokens::in_ui(ui);
     let entry = Command::Palette.entry();
     let keys = entry
@@ -136,20 +137,6 @@ fn search(ui: &mut Ui, state: &mut State) {
     let response = ui.add(button).on_hover_text(entry.title);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, entry.title));
     if response.clicked() {
-        state.commands.push(Command::Palette);
-    }
-}
-
-/// A button for a command.
-pub fn button(ui: &mut Ui, state: &mut State, command: Command) {
-    let enabled = command.is_enabled(state);
-    let tip = command.tip(ui.ctx());
-    let clicked = ui
-        .add_enabled_ui(enabled, |ui| {
-            icon_button(ui, command.entry().icon, &tip).clicked()
-        })
-        .inner;
-    if clicked {
-        state.commands.push(command);
+        bench.commands.push(Command::Palette);
     }
 }

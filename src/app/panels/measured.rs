@@ -2,11 +2,12 @@
 //! robot is from the measured backbone, the pull that suits it best, and the
 //! force readings.
 
-use super::row;
 use crate::app::commands::Command;
 use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::measured;
-use crate::app::state::{Selection, State};
+use crate::app::widgets::{button, row};
+use crate::app::words::sentence;
+use crate::app::workbench::{Selection, Workbench};
 use crate::experiments::ShapeFit;
 use crate::scene::Measurements;
 use crate::units::millimetres;
@@ -14,21 +15,21 @@ use crate::view::Quantity;
 use eframe::egui::{Align, Grid, Layout, RichText, ScrollArea, Spinner, Ui, vec2};
 
 /// Shows the measurements.
-pub fn show(ui: &mut Ui, state: &mut State) {
-    let Some(held) = state.document.scene.measured.clone() else {
-        state.selection = Selection::Nothing;
+pub fn show(ui: &mut Ui, bench: &mut Workbench) {
+    let Some(held) = bench.document.scene.measured.clone() else {
+        bench.selection = Selection::Nothing;
         return;
     };
     ui.horizontal(|ui| {
         ui.label(icon(icons::RULER));
         ui.label(RichText::new("Measurements").font(semibold(14.0)));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            super::bar::button(ui, state, Command::Delete);
+            button(ui, bench, Command::Delete);
         });
     });
     ui.add_space(4.0);
     if !held.points_mm.is_empty() {
-        backbone(ui, state, &held);
+        backbone(ui, bench, &held);
     }
     if !held.forces.is_empty() {
         ui.add_space(12.0);
@@ -36,11 +37,11 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     }
     ui.add_space(8.0);
     if ui.button("Import another table …").clicked() {
-        state.commands.push(Command::ImportMeasurements);
+        bench.commands.push(Command::ImportMeasurements);
     }
 }
 
-fn backbone(ui: &mut Ui, state: &mut State, held: &Measurements) {
+fn backbone(ui: &mut Ui, bench: &mut Workbench, held: &Measurements) {
     row::heading(ui, "Backbone");
     let by = if held.nodes.is_empty() {
         "each against the nearest point"
@@ -52,19 +53,19 @@ fn backbone(ui: &mut Ui, state: &mut State, held: &Measurements) {
             .small()
             .weak(),
     );
-    let length = state.live.problem().length();
-    match measured::fit(state) {
+    let length = bench.live.problem().length();
+    match measured::fit(bench) {
         Some(Ok(fit)) => distances(ui, "shown", fit, length),
         Some(Err(fault)) => {
             let colour = Tokens::in_ui(ui).warning;
-            let told = crate::app::files::sentence(&fault.to_string());
+            let told = sentence(&fault.to_string());
             ui.label(RichText::new(told).color(colour));
             return;
         }
         None => return,
     }
     ui.add_space(8.0);
-    best(ui, state, length);
+    best(ui, bench, length);
 }
 
 /// The paper's measure, in mm and as a share of the length.
@@ -84,38 +85,38 @@ fn distances(ui: &mut Ui, of: &str, fit: &ShapeFit, length: f64) {
 }
 
 /// The pull that suits the backbone best.
-fn best(ui: &mut Ui, state: &mut State, length: f64) {
-    if state.measuring.is_searching() {
+fn best(ui: &mut Ui, bench: &mut Workbench, length: f64) {
+    if bench.measuring.is_searching() {
         ui.horizontal(|ui| {
             ui.add(Spinner::new().size(16.0));
             ui.label("Trying every pull");
         });
         return;
     }
-    let found = state
+    let found = bench
         .measuring
-        .best(&state.document.scene)
+        .best(&bench.document.scene)
         .map(|best| best.fit.clone());
     match found {
         None => {
             if ui.button("Find the best pull").clicked() {
-                measured::search(state);
+                measured::search(bench);
             }
         }
         Some(Err(reason)) => {
             let colour = Tokens::in_ui(ui).warning;
-            let told = crate::app::files::sentence(&reason);
+            let told = sentence(&reason);
             ui.label(RichText::new(told).color(colour));
         }
         Some(Ok(fit)) => {
             let pull = Quantity::fixed(millimetres(fit.pull), 2, "mm").text();
             ui.label(format!("Best pull {pull}"));
             distances(ui, "best", &fit, length);
-            let there = state.document.scene.actuation.pull_mm == millimetres(fit.pull);
+            let there = bench.pull_mm() == millimetres(fit.pull);
             ui.add_space(4.0);
             ui.add_enabled_ui(!there, |ui| {
                 if ui.button("Apply").clicked() {
-                    measured::apply(state);
+                    measured::apply(bench);
                 }
             });
         }

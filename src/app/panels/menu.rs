@@ -1,11 +1,11 @@
 //! The menu: all commands by group, from their list, and the recent files.
 
-use super::row;
 use crate::app::commands::{ALL, Command, Group};
-use crate::app::files::shown;
+use crate::app::files;
 use crate::app::look::{Tokens, fits_fingers, icon, icons, semibold};
-use crate::app::platform::Errand;
-use crate::app::state::State;
+use crate::app::widgets::row;
+use crate::app::words::shown;
+use crate::app::workbench::Workbench;
 use eframe::egui::containers::menu::MenuButton;
 use eframe::egui::{Button, RichText, Role, ScrollArea, Ui, WidgetInfo, vec2};
 
@@ -13,7 +13,7 @@ use eframe::egui::{Button, RichText, Role, ScrollArea, Ui, WidgetInfo, vec2};
 const BESIDES: f32 = 96.0;
 
 /// Shows the menu's button, with the program's name or without, and the menu while it is open.
-pub fn show(ui: &mut Ui, state: &mut State, named: bool) {
+pub fn show(ui: &mut Ui, bench: &mut Workbench, named: bool) {
     let tokens = Tokens::in_ui(ui);
     let title = RichText::new("Sinew")
         .font(semibold(14.0))
@@ -26,13 +26,13 @@ pub fn show(ui: &mut Ui, state: &mut State, named: bool) {
     let button = button.frame_when_inactive(false);
     let (button, _) = MenuButton::from_button(button).ui(ui, |ui| {
         if fits_fingers(ui) {
-            return flat(ui, state);
+            return flat(ui, bench);
         }
         ui.set_min_width(160.0);
         for group in Group::ALL {
             ui.menu_button(group.title(), |ui| {
                 ui.set_min_width(248.0);
-                items(ui, state, group);
+                items(ui, bench, group);
             });
         }
     });
@@ -43,28 +43,28 @@ pub fn show(ui: &mut Ui, state: &mut State, named: bool) {
 
 /// All groups below each other: a finger does not rest on what opens another
 /// menu, and a phone has no room for that beside this one.
-fn flat(ui: &mut Ui, state: &mut State) {
+fn flat(ui: &mut Ui, bench: &mut Workbench) {
     let most = ui.ctx().content_rect().height() - BESIDES;
     ScrollArea::vertical().max_height(most).show(ui, |ui| {
         ui.set_min_width(248.0);
         for group in Group::ALL {
             ui.add_space(8.0);
             row::heading(ui, group.title());
-            items(ui, state, group);
+            items(ui, bench, group);
         }
     });
 }
 
-fn items(ui: &mut Ui, state: &mut State, group: Group) {
+fn items(ui: &mut Ui, bench: &mut Workbench, group: Group) {
     for entry in ALL.iter().filter(|entry| entry.group == group) {
-        item(ui, state, entry.command);
+        item(ui, bench, entry.command);
         if entry.command == Command::Open {
-            recent(ui, state);
+            recent(ui, bench);
         }
     }
 }
 
-fn item(ui: &mut Ui, state: &mut State, command: Command) {
+fn item(ui: &mut Ui, bench: &mut Workbench, command: Command) {
     let entry = command.entry();
     let muted = Tokens::in_ui(ui).muted;
     let mut button = Button::new((icon(entry.icon).color(muted), entry.title));
@@ -72,15 +72,15 @@ fn item(ui: &mut Ui, state: &mut State, command: Command) {
         let keys = ui.ctx().format_shortcut(keys);
         button = button.shortcut_text(RichText::new(keys).small().color(muted));
     }
-    if ui.add_enabled(command.is_enabled(state), button).clicked() {
-        state.commands.push(command);
+    if ui.add_enabled(bench.allows(command), button).clicked() {
+        bench.commands.push(command);
         ui.close();
     }
 }
 
 /// The recent files, in a menu of their own.
-fn recent(ui: &mut Ui, state: &mut State) {
-    if state.files.recent.is_empty() {
+fn recent(ui: &mut Ui, bench: &mut Workbench) {
+    if bench.files.recent.is_empty() {
         return;
     }
     let muted = Tokens::in_ui(ui).muted;
@@ -88,7 +88,7 @@ fn recent(ui: &mut Ui, state: &mut State) {
     let head = (icon(icons::CLOCK_COUNTER_CLOCKWISE).color(muted), "Recent");
     ui.menu_button(head, |ui| {
         ui.set_min_width(200.0);
-        for path in &state.files.recent {
+        for path in &bench.files.recent {
             let whole = path.to_string_lossy();
             if ui.button(shown(path)).on_hover_text(whole).clicked() {
                 chosen = Some(path.clone());
@@ -97,6 +97,6 @@ fn recent(ui: &mut Ui, state: &mut State) {
         }
     });
     if let Some(path) = chosen {
-        state.files.platform.read(Errand::Scene, path);
+        files::reopen(bench, path);
     }
 }

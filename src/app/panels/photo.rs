@@ -1,36 +1,34 @@
 //! What can be done with the photograph while it is selected: how much of it
 //! shows, where it lies, its scale by two points, and removing it.
 
-use super::inspector::{Form, Number, with_form};
-use super::row;
 use crate::app::commands::Command;
-use crate::app::files::shown;
 use crate::app::look::{Tokens, icon, icons, semibold};
-use crate::app::photo::{Photograph, Scaling};
-use crate::app::state::{Selection, State};
+use crate::app::widgets::{Form, Number, button, row, with_form};
+use crate::app::words::shown;
+use crate::app::workbench::{Photograph, Scaling, Selection, Workbench};
 use crate::scene::limits::{ANGLE, COORDINATE, PHOTO_WIDTH};
 use crate::scene::{Photo, Scene};
 use eframe::egui::{Align, DragValue, Layout, RichText, Slider, Ui};
 use std::path::Path;
 
 /// Shows the photograph's fields.
-pub fn show(ui: &mut Ui, state: &mut State) {
-    let Some(photo) = state.document.scene.photo.clone() else {
-        state.selection = Selection::Nothing;
+pub fn show(ui: &mut Ui, bench: &mut Workbench) {
+    let Some(photo) = bench.document.scene.photo.clone() else {
+        bench.selection = Selection::Nothing;
         return;
     };
     ui.horizontal(|ui| {
         ui.label(icon(icons::IMAGE));
         ui.label(RichText::new("Photograph").font(semibold(14.0)));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            super::bar::button(ui, state, Command::Delete);
+            button(ui, bench, Command::Delete);
         });
     });
     ui.add_space(4.0);
-    about(ui, state, &photo);
+    about(ui, bench, &photo);
     ui.horizontal(|ui| {
         let label = ui.label("Opacity");
-        if let Some(photo) = &mut state.document.scene.photo {
+        if let Some(photo) = &mut bench.document.scene.photo {
             let mut percent = 100.0 * photo.opacity;
             let slider = Slider::new(&mut percent, 0.0..=100.0)
                 .fixed_decimals(0)
@@ -40,16 +38,16 @@ pub fn show(ui: &mut Ui, state: &mut State) {
             }
         }
     });
-    with_form(state, |scene, form| fields(ui, form, scene));
+    with_form(bench, |scene, form| fields(ui, form, scene));
     ui.add_space(8.0);
-    scale(ui, state);
+    scale(ui, bench);
 }
 
 /// Its file and what is known of it.
-fn about(ui: &mut Ui, state: &mut State, photo: &Photo) {
+fn about(ui: &mut Ui, bench: &mut Workbench, photo: &Photo) {
     let tokens = Tokens::in_ui(ui);
     let name = shown(Path::new(&photo.file));
-    let (told, colour) = match state.photos.get(photo) {
+    let (told, colour) = match bench.photos.get(photo) {
         Some(Photograph::Here { size: [w, h], .. }) => {
             (format!("{name}, {w} × {h} pixels"), tokens.muted)
         }
@@ -62,11 +60,11 @@ fn about(ui: &mut Ui, state: &mut State, photo: &Photo) {
     ui.label(RichText::new(told).small().color(colour))
         .on_hover_text(&photo.file);
     let here = matches!(
-        state.photos.get(photo),
+        bench.photos.get(photo),
         Some(Photograph::Here { .. } | Photograph::Coming)
     );
     if !here && ui.button("Choose the picture …").clicked() {
-        state.commands.push(Command::PlacePhoto);
+        bench.commands.push(Command::PlacePhoto);
     }
     ui.add_space(4.0);
 }
@@ -87,14 +85,14 @@ fn fields(ui: &mut Ui, form: &mut Form<'_>, scene: &mut Scene) {
 }
 
 /// The scale tool, step by step.
-fn scale(ui: &mut Ui, state: &mut State) {
-    let Some(mut scaling) = state.photos.scaling.clone() else {
+fn scale(ui: &mut Ui, bench: &mut Workbench) {
+    let Some(mut scaling) = bench.photos.scaling.clone() else {
         let button = ui.button("Scale by two points");
         if button
             .on_hover_text("Two points of known distance give the photograph its size")
             .clicked()
         {
-            state.photos.scaling = Some(Scaling::default());
+            bench.photos.scaling = Some(Scaling::default());
         }
         return;
     };
@@ -117,11 +115,11 @@ fn scale(ui: &mut Ui, state: &mut State) {
         });
     }
     ui.horizontal(|ui| {
-        let photo = state.document.scene.photo.as_ref();
+        let photo = bench.document.scene.photo.as_ref();
         let applied = photo.and_then(|photo| scaling.applied(photo));
         ui.add_enabled_ui(applied.is_some(), |ui| {
             if ui.button("Apply").clicked() {
-                state.document.scene.photo = applied;
+                bench.document.scene.photo = applied;
                 done = true;
             }
         });
@@ -129,5 +127,5 @@ fn scale(ui: &mut Ui, state: &mut State) {
             done = true;
         }
     });
-    state.photos.scaling = (!done).then_some(scaling);
+    bench.photos.scaling = (!done).then_some(scaling);
 }

@@ -1,15 +1,15 @@
 //! The bar that offers work which an earlier window did not save. It blocks
 //! nothing; as long as nobody decides, the work is kept.
 
-use crate::app::files::{self, Intent, autosave};
+use crate::app::files::{self, autosave};
 use crate::app::look::{Tokens, icon, icons};
-use crate::app::notices::Notice;
-use crate::app::state::State;
+use crate::app::words::sentence;
+use crate::app::workbench::{Intent, Notice, Workbench};
 use eframe::egui::{Align, Button, Frame, Layout, Margin, Panel, Ui};
 
 /// Shows the bar where there is such work.
-pub fn show(ui: &mut Ui, state: &mut State) {
-    let Some(unsaved) = state.files.unsaved.first().cloned() else {
+pub fn show(ui: &mut Ui, bench: &mut Workbench) {
+    let Some(unsaved) = bench.files.unsaved.first().cloned() else {
         return;
     };
     let tokens = Tokens::in_ui(ui);
@@ -28,17 +28,17 @@ pub fn show(ui: &mut Ui, state: &mut State) {
                     .add(Button::new("Discard").frame_when_inactive(false))
                     .clicked()
                 {
-                    autosave::forget(state, &unsaved.drawer);
+                    autosave::forget(bench, &unsaved.drawer);
                 }
                 if ui.button("Restore").clicked() {
                     match unsaved.arrival() {
                         Ok(arrival) => {
                             let intent = Intent::Scene(Box::new(arrival));
-                            files::request(state, intent, ui.ctx());
+                            files::request(bench, intent, ui.ctx());
                         }
                         Err(fault) => {
-                            let fault = files::sentence(&fault.to_string());
-                            state.notices.tell(Notice::trouble(fault));
+                            let fault = sentence(&fault.to_string());
+                            bench.notices.tell(Notice::trouble(fault));
                         }
                     }
                 }

@@ -3,7 +3,7 @@
 
 use crate::app::commands::Command;
 use crate::app::look::{Tokens, icon_button, semibold};
-use crate::app::state::{Preferences, State};
+use crate::app::workbench::{Preferences, Workbench};
 use eframe::egui::{
     Align, Frame, Id, Layout, Margin, Popup, PopupCloseBehavior, RichText, Slider, ThemePreference,
     Ui,
@@ -15,7 +15,7 @@ pub fn settings_id() -> Id {
 }
 
 /// Shows the button of the settings, and the settings while they are open.
-pub fn show(ui: &mut Ui, state: &mut State) {
+pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     let tip = Command::Settings.tip(ui.ctx());
     let button = icon_button(ui, Command::Settings.entry().icon, &tip);
     if button.clicked() {
@@ -26,7 +26,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
         .open_memory(None)
         .frame(Frame::menu(ui.style()).inner_margin(Margin::same(12)))
         .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
-        .show(|ui| contents(ui, &mut state.preferences));
+        .show(|ui| contents(ui, &mut bench.preferences));
 }
 
 fn contents(ui: &mut Ui, preferences: &mut Preferences) {

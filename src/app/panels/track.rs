@@ -1,10 +1,9 @@
 //! The track of the pull: its slider, and marks where contacts begin and end,
 //! where the robot jumps and where its branch ends.
 
-use crate::app::load::Loads;
 use crate::app::look::{Tokens, fits_fingers, icon_font, icons};
-use crate::app::state::{Hovered, State};
 use crate::app::words;
+use crate::app::workbench::{Hovered, Loads, Playing, Workbench};
 use crate::equilibrium::{Event, Occurrence};
 use crate::units::{metres, millimetres};
 use eframe::egui::{
@@ -18,14 +17,14 @@ const HEIGHT: f32 = 20.0;
 
 /// Shows the slider in the width that is left: of the pull or, where `loads`
 /// are given, of the load.
-pub fn show(ui: &mut Ui, state: &mut State, loads: Option<&Loads>) {
+pub fn show(ui: &mut Ui, bench: &mut Workbench, loads: Option<&Loads>) {
     ui.spacing_mut().slider_width = (ui.available_width() - 4.0).max(80.0);
     if !fits_fingers(ui) {
         ui.spacing_mut().interact_size.y = HEIGHT;
     }
     let (span, response) = match loads {
-        Some(loads) => load_slider(ui, state, loads),
-        None => pull_slider(ui, state),
+        Some(loads) => load_slider(ui, bench, loads),
+        None => pull_slider(ui, bench),
     };
     // Where egui puts the middle of the handle.
     let ends = response.rect.x_range().shrink(response.rect.height() / 2.5);
@@ -35,8 +34,8 @@ pub fn show(ui: &mut Ui, state: &mut State, loads: Option<&Loads>) {
         let share = (value - span.0) / (span.1 - span.0).max(f64::MIN_POSITIVE);
         ends.min + share as f32 * (ends.max - ends.min)
     };
-    marks(ui, state, response.rect, ends, at);
-    if let Hovered::Pull(pull) = state.hovered {
+    marks(ui, bench, response.rect, ends, at);
+    if let Hovered::Pull(pull) = bench.hovered {
         let x = at(pull);
         if ends.contains(x) {
             let stroke = Stroke::new(1.0, Tokens::in_ui(ui).accent);
@@ -45,40 +44,41 @@ pub fn show(ui: &mut Ui, state: &mut State, loads: Option<&Loads>) {
     }
 }
 
-fn pull_slider(ui: &mut Ui, state: &mut State) -> ((f64, f64), Response) {
-    let span = state.span_mm();
-    let pull_mm = &mut state.document.scene.actuation.pull_mm;
-    let slider = Slider::new(pull_mm, span.0..=span.1)
+fn pull_slider(ui: &mut Ui, bench: &mut Workbench) -> ((f64, f64), Response) {
+    let span = bench.span_mm();
+    let mut pull_mm = bench.pull_mm();
+    let slider = Slider::new(&mut pull_mm, span.0..=span.1)
         .show_value(false)
         // A pull that nobody edits stays what it is, to the last digit.
         .clamping(SliderClamping::Edits)
         .max_decimals(3);
-    (span, ui.add(slider).accessible_name("Pull slider"))
+    let response = ui.add(slider).accessible_name("Pull slider");
+    bench.set_pull(pull_mm, Playing::GoesOn);
+    (span, response)
 }
 
-fn load_slider(ui: &mut Ui, state: &mut State, loads: &Loads) -> ((f64, f64), Response) {
+fn load_slider(ui: &mut Ui, bench: &mut Workbench, loads: &Loads) -> ((f64, f64), Response) {
     let span = (0.0, loads.most_g());
-    let pull_mm = &mut state.document.scene.actuation.pull_mm;
-    let mut load_g = loads.load_g(*pull_mm);
+    let mut load_g = loads.load_g(bench.pull_mm());
     let slider = Slider::new(&mut load_g, span.0..=span.1)
         .show_value(false)
         .clamping(SliderClamping::Edits)
         .max_decimals(1);
     let response = ui.add(slider).accessible_name("Load slider");
     if response.changed() {
-        *pull_mm = loads.pull_mm(load_g);
+        bench.set_pull(loads.pull_mm(load_g), Playing::GoesOn);
     }
     (span, response)
 }
 
 /// The marks of the path, if it is known, below the rail; each tells what it
 /// is under the pointer.
-fn marks(ui: &Ui, state: &mut State, rect: Rect, ends: Rangef, at: impl Fn(f64) -> f32) {
+fn marks(ui: &Ui, bench: &mut Workbench, rect: Rect, ends: Rangef, at: impl Fn(f64) -> f32) {
     let tokens = Tokens::in_ui(ui);
-    let Some(path) = state.live.path().map(std::sync::Arc::clone) else {
+    let Some(path) = bench.live.path().map(std::sync::Arc::clone) else {
         return;
     };
-    let current = state.live.path_is_current();
+    let current = bench.live.path_is_current();
     if let Some(end) = &path.end
         && at(end.pull) < ends.max
     {
@@ -100,11 +100,11 @@ fn marks(ui: &Ui, state: &mut State, rect: Rect, ends: Rangef, at: impl Fn(f64) 
         let id = ui.scope_id().with(("event", index));
         let response = ui.interact(spot, id, Sense::click());
         if response.hovered() {
-            state.hovering = Hovered::Pull(event.pull);
+            bench.hovering = Hovered::Pull(event.pull);
         }
-        let text = words::event(event, &state.document.scene);
+        let text = words::event(event, &bench.document.scene);
         if response.on_hover_text(text).clicked() {
-            state.document.scene.actuation.pull_mm = millimetres(event.pull);
+            bench.set_pull(millimetres(event.pull), Playing::GoesOn);
         }
     }
 }

@@ -1,13 +1,12 @@
 //! The transport bar: playing the pull, its slider across the window with what
 //! happens on the way, and the load where the stiffness is known.
 
-use super::bar::button;
-use super::{status, track};
+use super::status::{self, StatusChip};
+use super::track;
 use crate::app::commands::Command;
-use crate::app::load::Loads;
 use crate::app::look::{Segment, icon_button, icons, segments};
-use crate::app::state::State;
-use crate::app::transport::Transport;
+use crate::app::widgets::button;
+use crate::app::workbench::{Loads, Playing, Transport, Workbench};
 use crate::view::Quantity;
 use eframe::egui::{Align, ComboBox, DragValue, Layout, Ui, vec2};
 
@@ -21,29 +20,29 @@ const CRAMPED: f32 = 364.0;
 const FIELD: f32 = 84.0;
 
 /// Shows the transport bar with the status chip at its right end.
-pub fn show(ui: &mut Ui, state: &mut State) {
+pub fn show(ui: &mut Ui, chip: &mut StatusChip, bench: &mut Workbench) {
     let bar = ui.available_width();
     let row = vec2(bar, ui.spacing().interact_size.y);
     let layout = Layout::right_to_left(Align::Center);
     let narrow = bar < NARROW;
     let loads = ui.allocate_ui_with_layout(row, layout, |ui| {
         ui.spacing_mut().item_spacing.x = 16.0;
-        status::show(ui, state, bar);
+        status::show(ui, chip, bench, bar);
         let layout = Layout::left_to_right(Align::Center);
         let controls = ui.with_layout(layout, |ui| {
             ui.spacing_mut().item_spacing.x = 8.0;
             if bar >= CRAMPED {
-                play(ui, state);
+                play(ui, bench);
             }
             if bar >= SPARE {
-                looping(ui, state);
-                speed(ui, &mut state.transport);
-                button(ui, state, Command::FromStraight);
+                looping(ui, bench);
+                speed(ui, &mut bench.transport);
+                button(ui, bench, Command::FromStraight);
                 ui.add_space(8.0);
             }
-            let loads = actuation(ui, state);
+            let loads = actuation(ui, bench);
             if !narrow {
-                track::show(ui, state, loads.as_ref());
+                track::show(ui, bench, loads.as_ref());
             }
             loads
         });
@@ -54,28 +53,28 @@ pub fn show(ui: &mut Ui, state: &mut State) {
         ui.add_space(4.0);
         ui.horizontal(|ui| {
             if bar < CRAMPED {
-                play(ui, state);
+                play(ui, bench);
             }
-            track::show(ui, state, loads.inner.as_ref());
+            track::show(ui, bench, loads.inner.as_ref());
         });
         ui.add_space(8.0);
     }
 }
 
-fn play(ui: &mut Ui, state: &mut State) {
-    let (glyph, name) = if state.transport.is_playing() {
+fn play(ui: &mut Ui, bench: &mut Workbench) {
+    let (glyph, name) = if bench.transport.is_playing() {
         (icons::PAUSE, "Pause")
     } else {
         (icons::PLAY, "Play")
     };
     let tip = Command::Play.tip_saying(name, ui.ctx());
     if icon_button(ui, glyph, &tip).clicked() {
-        state.commands.push(Command::Play);
+        bench.commands.push(Command::Play);
     }
 }
 
-fn looping(ui: &mut Ui, state: &mut State) {
-    let looping = &mut state.transport.looping;
+fn looping(ui: &mut Ui, bench: &mut Workbench) {
+    let looping = &mut bench.transport.looping;
     let tip = if *looping {
         "Turn round at the ends: on"
     } else {
@@ -110,9 +109,9 @@ fn speed(ui: &mut Ui, transport: &mut Transport) {
 }
 
 /// What is set, pull or load, and its value. The loads, if it is they.
-fn actuation(ui: &mut Ui, state: &mut State) -> Option<Loads> {
-    let loads = Loads::of(state).filter(|_| state.transport.by_load);
-    let known = state.document.stiffness().is_some();
+fn actuation(ui: &mut Ui, bench: &mut Workbench) -> Option<Loads> {
+    let loads = bench.loads().filter(|_| bench.transport.by_load);
+    let known = bench.document.stiffness().is_some();
     let tip = if known {
         "The load that hangs on the cable"
     } else {
@@ -135,20 +134,20 @@ fn actuation(ui: &mut Ui, state: &mut State) -> Option<Loads> {
     let current = usize::from(loads.is_some());
     let chosen = segments(ui, 44.0, &shown, Some(current));
     if chosen.is_some_and(|chosen| chosen != current) {
-        state.commands.push(Command::Load);
+        bench.commands.push(Command::Load);
     }
     match &loads {
-        Some(loads) => load(ui, state, loads),
-        None => pull(ui, state),
+        Some(loads) => load(ui, bench, loads),
+        None => pull(ui, bench),
     }
     loads
 }
 
-fn pull(ui: &mut Ui, state: &mut State) {
-    let (least, most) = state.document.problem().robot().pull_range();
-    let pull_mm = &mut state.document.scene.actuation.pull_mm;
+fn pull(ui: &mut Ui, bench: &mut Workbench) {
+    let (least, most) = bench.document.problem().robot().pull_range();
+    let mut pull_mm = bench.pull_mm();
     let range = track::round_inwards(least, most);
-    let field = DragValue::new(pull_mm)
+    let field = DragValue::new(&mut pull_mm)
         .speed(0.01)
         .range(range.0..=range.1)
         .fixed_decimals(2)
@@ -157,11 +156,11 @@ fn pull(ui: &mut Ui, state: &mut State) {
     ui.add_sized(size, field)
         .accessible_name("Pull")
         .on_hover_text("Length of cable drawn in. Drag sideways or click to type.");
+    bench.set_pull(pull_mm, Playing::GoesOn);
 }
 
-fn load(ui: &mut Ui, state: &mut State, loads: &Loads) {
-    let pull_mm = &mut state.document.scene.actuation.pull_mm;
-    let mut load_g = loads.load_g(*pull_mm);
+fn load(ui: &mut Ui, bench: &mut Workbench, loads: &Loads) {
+    let mut load_g = loads.load_g(bench.pull_mm());
     let field = DragValue::new(&mut load_g)
         .speed(0.5)
         .range(0.0..=loads.most_g())
@@ -177,6 +176,6 @@ fn load(ui: &mut Ui, state: &mut State, loads: &Loads) {
             "Load on the cable, 0 for the straight robot. Drag sideways or click to type.",
         );
     if response.changed() {
-        *pull_mm = loads.pull_mm(load_g);
+        bench.set_pull(loads.pull_mm(load_g), Playing::GoesOn);
     }
 }

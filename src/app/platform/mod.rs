@@ -19,7 +19,7 @@ pub use native::Native;
 #[cfg(all(target_arch = "wasm32", feature = "web"))]
 pub use web::Web;
 
-use crate::app::photo::Decoded;
+use crate::app::pixels::Decoded;
 use crate::scene::MAX_FILE_BYTES;
 use eframe::egui::DroppedFileHandle;
 use std::path::{Path, PathBuf};
@@ -185,7 +185,7 @@ pub trait Platform {
     /// or a clause, with `it` for the file, on why it cannot be shown.
     #[cfg(not(target_arch = "wasm32"))]
     fn decode(&mut self, bytes: Vec<u8>, give: Taker) {
-        self.work(Box::new(move || give(crate::app::photo::decode(&bytes))));
+        self.work(Box::new(move || give(crate::app::pixels::decode(&bytes))));
     }
 
     /// The same, by the browser, which can do it already.

@@ -3,8 +3,7 @@
 //! opened or written again without the user.
 
 use super::{Contents, Destination, Errand, Left, News, PictureKind, Platform, Taker};
-use crate::app::files::export::SCALE;
-use crate::app::photo::{Decoded, MOST_SIDE, SHOWN_SIDE, neither, too_large};
+use crate::app::pixels::{Decoded, MOST_SIDE, SCALE, SHOWN_SIDE, neither, too_large};
 use eframe::egui::{ColorImage, Context, DroppedFileHandle};
 use js_sys::{Array, Promise, Uint8Array};
 use std::cell::RefCell;

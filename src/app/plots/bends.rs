@@ -1,15 +1,16 @@
 //! Bends and shears by segment: where the robot gives, and how it differs from
 //! the free robot's arc.
 
-use super::export::cell;
+use super::cache::PlotCache;
+use super::data::{Link, Plot, PlotData};
 use super::pane::{
-    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
+    Asked, Quantities, Surface, Text, Whole, canvas, cell, curve, empty, header, hue, named,
+    ordinate,
 };
-use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
-use crate::app::state::Hovered;
+use crate::app::workbench::Hovered;
 use crate::units::degrees;
-use crate::view::{Axis, Chart, CurveStyle as Mark, Quantity, Series};
+use crate::view::{Axis, Chart, CurveStyle, Quantity, Series};
 use eframe::egui::{Align2, Rect, Ui, vec2};
 
 pub(super) fn show(
@@ -17,7 +18,7 @@ pub(super) fn show(
     data: &PlotData<'_>,
     cache: &PlotCache,
     link: &mut Link,
-) -> Option<PlotAction> {
+) -> Option<Asked> {
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
     let shape = &cache.shape;
     let segments = data.solution.bends.len();
@@ -38,10 +39,10 @@ pub(super) fn show(
         unit: "°",
     };
     let name = ordinate(&angle, &tokens);
-    let action = header(ui, Plot::Bends, data, cache, name, reading, |_| {});
+    let asked = header(ui, Plot::Bends, name, reading, |_| {});
     if segments == 0 {
         empty(ui, "The first shape is being solved.", |_| {});
-        return action;
+        return asked;
     }
     let abscissa = Quantities {
         name: "Segment, from the base",
@@ -106,7 +107,7 @@ pub(super) fn show(
             names.push(surface.name(at, anchor, Text::of(name, ink)));
         }
     }
-    action
+    asked
 }
 
 pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {
@@ -132,9 +133,9 @@ pub(super) fn charts(cache: &PlotCache) -> Vec<Chart> {
         x: Axis::new("segment, from the base", ""),
         y: Axis::new("angle, clockwise", "deg"),
         series: vec![
-            Series::new("bend", Mark::Line, corners(&shape.bends)),
-            Series::new("free robot's bend", Mark::Dashed, free),
-            Series::new("shear", Mark::Line, corners(&shape.shears)),
+            Series::new("bend", CurveStyle::Line, corners(&shape.bends)),
+            Series::new("free robot's bend", CurveStyle::Dashed, free),
+            Series::new("shear", CurveStyle::Line, corners(&shape.shears)),
         ],
     }]
 }

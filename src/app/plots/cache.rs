@@ -1,8 +1,7 @@
 //! What the plots draw, in the units of their axes, computed when it changes.
 
-use super::PlotData;
-use super::marks::{self, Mark};
-use super::pane::value_at;
+use super::data::PlotData;
+use super::marks::{self, Happening};
 use crate::equilibrium::Class;
 use crate::explore::{LoadCurve, Path, usual_end};
 use crate::forces::{Rates, Sweep, VirtualWork, VirtualWorkError, Window};
@@ -18,7 +17,7 @@ const FREE_PULLS: usize = 41;
 #[derive(Default)]
 pub struct PlotCache {
     pub(super) shape: Shape,
-    pub(super) course: Course,
+    pub(super) along: AlongPull,
     pub(super) fits: Fits,
     pub(super) forces: Forces,
     /// The generation of the shape and of the path, whether there is a path.
@@ -90,9 +89,9 @@ pub(super) enum Twin {
 
 /// The path, by smooth pieces.
 #[derive(Default)]
-pub(super) struct Course {
+pub(super) struct AlongPull {
     pub pieces: Vec<Piece>,
-    pub marks: Vec<Mark>,
+    pub marks: Vec<Happening>,
 }
 
 /// A smooth piece of the path over the pull, in mm.
@@ -106,7 +105,7 @@ pub(super) struct Piece {
     pub energy: Vec<PlotPoint>,
 }
 
-impl Course {
+impl AlongPull {
     /// The value of a curve at a pull in mm; after a jump, where there are two.
     pub fn value(&self, of: fn(&Piece) -> &Vec<PlotPoint>, pull: f64) -> Option<f64> {
         let mut pieces = self.pieces.iter().rev();
@@ -152,7 +151,7 @@ impl PlotCache {
             self.shape.fill(data);
         }
         if !path_is_known {
-            self.course = path.map_or_else(Course::default, |path| Course::of(path, data));
+            self.along = path.map_or_else(AlongPull::default, |path| AlongPull::of(path, data));
         }
         let stiffness = data.stiffness();
         let known = self.force_keys.as_ref();
@@ -237,7 +236,7 @@ fn steps(corners: &mut Vec<PlotPoint>, angles: &[f64]) {
     }
 }
 
-impl Course {
+impl AlongPull {
     fn of(path: &Path, data: &PlotData<'_>) -> Self {
         let straight = data.problem.robot().base;
         let tip = straight.position + data.problem.length() * straight.normal();
@@ -314,4 +313,15 @@ impl Forces {
             curve,
         }
     }
+}
+
+/// The value of a curve at an abscissa, straight between its points.
+pub(super) fn value_at(points: &[PlotPoint], x: f64) -> Option<f64> {
+    let after = points.partition_point(|point| point.x < x);
+    let b = points.get(after)?;
+    let Some(a) = after.checked_sub(1).map(|before| points[before]) else {
+        return (b.x == x).then_some(b.y);
+    };
+    let t = (x - a.x) / (b.x - a.x);
+    Some((1.0 - t) * a.y + t * b.y)
 }

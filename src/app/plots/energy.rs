@@ -1,17 +1,19 @@
 //! The energy over the pull, with what happens on the way: contacts made and
 //! lost, jumps, ends.
 
-use super::export::cell;
+use super::cache::PlotCache;
+use super::data::{Link, Plot, PlotData};
+use super::marks;
 use super::over_pull::{Cursor, Edges, Knob, read_at};
 use super::pane::{
-    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
+    Asked, Quantities, Surface, Text, Whole, canvas, cell, curve, empty, header, hue, named,
+    ordinate,
 };
-use super::{Link, Plot, PlotAction, PlotCache, PlotData, marks};
 use crate::app::look::{Tokens, theme_of};
-use crate::app::state::Hovered;
 use crate::app::words;
+use crate::app::workbench::Hovered;
 use crate::units::{millimetres, per_millimetre};
-use crate::view::{Axis, Chart, CurveStyle as Mark, Quantity, Series};
+use crate::view::{Axis, Chart, CurveStyle, Quantity, Series};
 use eframe::egui::{Ui, vec2};
 
 pub(super) fn show(
@@ -19,12 +21,12 @@ pub(super) fn show(
     data: &PlotData<'_>,
     cache: &PlotCache,
     link: &mut Link,
-) -> Option<PlotAction> {
+) -> Option<Asked> {
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
-    let pieces = &cache.course.pieces;
+    let pieces = &cache.along.pieces;
     let pull = millimetres(read_at(data, link));
     let mut reading = Text::default();
-    if let Some(energy) = cache.course.value(|piece| &piece.energy, pull) {
+    if let Some(energy) = cache.along.value(|piece| &piece.energy, pull) {
         reading = reading
             .value("pull", &Quantity::fixed(pull, 2, "mm"), &tokens)
             .value("J", &Quantity::significant(energy, "rad²"), &tokens);
@@ -34,10 +36,10 @@ pub(super) fn show(
         unit: "rad²",
     };
     let name = ordinate(&energy, &tokens);
-    let action = header(ui, Plot::Energy, data, cache, name, reading, |_| {});
+    let asked = header(ui, Plot::Energy, name, reading, |_| {});
     if pieces.is_empty() {
         empty(ui, "The robot is being followed along its pull.", |_| {});
-        return action;
+        return asked;
     }
     let abscissa = Quantities {
         name: "Pull",
@@ -45,7 +47,7 @@ pub(super) fn show(
     };
     let height = ui.available_height();
     // Room above the curve for the marks and their names.
-    let top = marks::height(&cache.course.marks);
+    let top = marks::height(&cache.along.marks);
     let most = pieces.iter().flat_map(|piece| &piece.energy);
     let most = most.map(|point| point.y).fold(0.0, f64::max);
     let inner = f64::from((height - 44.0).max(1.0));
@@ -73,9 +75,9 @@ pub(super) fn show(
     };
     cursor.show(ui, &surface, &shown.response, data, link);
     // Over the cursor, so that their names can be read.
-    let mark = marks::draw(&surface, &cache.course.marks, &tokens);
+    let mark = marks::draw(&surface, &cache.along.marks, &tokens);
     let present = millimetres(data.solution.pull);
-    if let Some(here) = cache.course.value(|piece| &piece.energy, present) {
+    if let Some(here) = cache.along.value(|piece| &piece.energy, present) {
         let at = surface.at(present, here);
         surface.dot(at, hue(theme, 0), &tokens);
     }
@@ -85,12 +87,12 @@ pub(super) fn show(
             link.pull = Some(mark.at);
         }
         // Everything that happened there at once.
-        let together = cache.course.marks.iter();
+        let together = cache.along.marks.iter();
         let together = together.filter(|other| marks::same(&surface, mark, other));
         let lines: Vec<&str> = together.map(|mark| mark.long.as_str()).collect();
         shown.response.on_hover_text_at_pointer(lines.join("\n"));
     }
-    action
+    asked
 }
 
 pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {
@@ -123,16 +125,16 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
 
 pub(super) fn charts(cache: &PlotCache) -> Vec<Chart> {
     let mut series: Vec<Series> = Vec::new();
-    for (index, piece) in cache.course.pieces.iter().enumerate() {
+    for (index, piece) in cache.along.pieces.iter().enumerate() {
         let name = match index {
             0 => "energy".to_owned(),
             jumps => format!("after {jumps} jumps"),
         };
         let points = piece.energy.iter().map(|p| (p.x, p.y)).collect();
-        series.push(Series::new(name, Mark::Line, points));
+        series.push(Series::new(name, CurveStyle::Line, points));
     }
-    let at = |mark: &marks::Mark| {
-        let energy = cache.course.value(|piece| &piece.energy, mark.pull);
+    let at = |mark: &marks::Happening| {
+        let energy = cache.along.value(|piece| &piece.energy, mark.pull);
         energy.map(|energy| (mark.pull, energy))
     };
     for (kind, name) in [
@@ -141,10 +143,10 @@ pub(super) fn charts(cache: &PlotCache) -> Vec<Chart> {
         (marks::Kind::Jump, "jump"),
         (marks::Kind::End, "end"),
     ] {
-        let of_kind = cache.course.marks.iter().filter(|mark| mark.kind == kind);
+        let of_kind = cache.along.marks.iter().filter(|mark| mark.kind == kind);
         let points: Vec<_> = of_kind.filter_map(at).collect();
         if !points.is_empty() {
-            series.push(Series::new(name, Mark::Dots, points));
+            series.push(Series::new(name, CurveStyle::Dots, points));
         }
     }
     vec![Chart {

@@ -1,7 +1,8 @@
 //! The plots as the contents of files: tables with every digit, and charts.
 
-use super::{Plot, PlotCache, PlotData, bends, energy, force, multipliers, tip};
-use crate::math::unsigned_zero;
+use super::cache::PlotCache;
+use super::data::{Plot, PlotData};
+use super::{bends, energy, force, multipliers, tip};
 use crate::report::chart::{ChartError, svg_column};
 use crate::view::Chart;
 
@@ -23,11 +24,6 @@ pub fn csv(plot: Plot, data: &PlotData<'_>) -> String {
     debug_assert!(written.is_ok(), "{written:?}");
     let bytes = table.into_inner().unwrap_or_default();
     String::from_utf8_lossy(&bytes).into_owned()
-}
-
-/// A number in a table, with all its digits.
-pub(super) fn cell(value: f64) -> String {
-    unsigned_zero(value).to_string()
 }
 
 /// A plot as SVG.

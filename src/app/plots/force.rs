@@ -1,19 +1,20 @@
 //! Force against load, the paper's Fig. 10: by multipliers where the stiffness
 //! is known, by virtual work where a reading fixes μ, and what was read.
 
-use super::export::cell;
+use super::cache::{PlotCache, value_at};
+use super::data::{Link, Plot, PlotData};
 use super::pane::{
-    Quantities, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate, value_at,
+    Asked, Quantities, Surface, Text, Whole, canvas, cell, curve, empty, header, hue, named,
+    ordinate,
 };
-use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
-use crate::app::state::Hovered;
 use crate::app::words;
+use crate::app::workbench::Hovered;
 use crate::equilibrium::Class;
 use crate::explore::LoadPoint;
 use crate::scene::ForceReading;
 use crate::units::{grams, millimetres, newtons};
-use crate::view::{Axis, Chart, CurveStyle as Mark, Quantity, Series};
+use crate::view::{Axis, Chart, CurveStyle, Quantity, Series};
 use eframe::egui::{Align2, CursorIcon, Response, RichText, Sense, Stroke, Ui, pos2, vec2};
 use egui_plot::{Line, PlotPoint};
 
@@ -50,7 +51,7 @@ pub(super) fn show(
     data: &PlotData<'_>,
     cache: &PlotCache,
     link: &mut Link,
-) -> Option<PlotAction> {
+) -> Option<Asked> {
     let tokens = Tokens::in_ui(ui);
     let force = Quantities {
         name: "Force on obstacles",
@@ -66,9 +67,9 @@ pub(super) fn show(
             .value("force", &Quantity::significant(force, "g"), &tokens);
     }
     let name = ordinate(&force, &tokens);
-    let mut action = header(ui, Plot::Force, data, cache, name, reading, |_| {});
+    let mut asked = header(ui, Plot::Force, name, reading, |_| {});
     if let Some(asked) = nothing(ui, data, cache) {
-        return asked.or(action);
+        return asked.or(asked);
     }
     let shown = curves(ui, data, cache);
     let (response, transform) = (shown.response, shown.transform);
@@ -106,9 +107,9 @@ pub(super) fn show(
         }
     }
     if data.readings().is_empty() || data.stiffness().is_none() {
-        action = action.or(missing(ui, data, &surface));
+        asked = asked.or(missing(ui, data, &surface));
     }
-    action
+    asked
 }
 
 /// The curve's point at the pull that the pointer is on somewhere.
@@ -120,17 +121,17 @@ fn twin(cache: &PlotCache, link: &Link) -> Option<LoadPoint> {
 }
 
 /// What a plot without anything to show says; `None` where there is something.
-fn nothing(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> Option<Option<PlotAction>> {
+fn nothing(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> Option<Option<Asked>> {
     let forces = &cache.forces;
     let mut asked = None;
     if data.stiffness().is_none() && data.readings().is_empty() {
         let sentence = "Forces in grams need the backbone's stiffness or a measured force.";
         empty(ui, sentence, |ui| {
             if ui.button("Set the stiffness").clicked() {
-                asked = Some(PlotAction::AskStiffness);
+                asked = Some(Asked::Stiffness);
             }
             if ui.button("Add a reading").clicked() {
-                asked = Some(PlotAction::AskReading);
+                asked = Some(Asked::Reading);
             }
         });
         return Some(asked);
@@ -356,11 +357,11 @@ fn told(response: Response, data: &PlotData<'_>, cache: &PlotCache, index: usize
 }
 
 /// What would add the other of the two ways, as a quiet button in the corner.
-fn missing(ui: &mut Ui, data: &PlotData<'_>, surface: &Surface<'_>) -> Option<PlotAction> {
+fn missing(ui: &mut Ui, data: &PlotData<'_>, surface: &Surface<'_>) -> Option<Asked> {
     let (text, asked) = if data.stiffness().is_none() {
-        ("Set the stiffness", PlotAction::AskStiffness)
+        ("Set the stiffness", Asked::Stiffness)
     } else {
-        ("Add a reading", PlotAction::AskReading)
+        ("Add a reading", Asked::Reading)
     };
     let frame = surface.frame();
     let size = vec2(118.0, 22.0);
@@ -414,18 +415,18 @@ pub(super) fn charts(data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
         let seen = piece.iter().filter(|point| point.x <= widest);
         series.push(Series::new(
             name,
-            Mark::Line,
+            CurveStyle::Line,
             seen.map(|p| (p.x, p.y)).collect(),
         ));
     }
     if let Some(force) = by_work(cache, widest) {
         let ends = vec![(0.0, 0.0), (widest, force)];
-        series.push(Series::new("virtual work", Mark::Line, ends));
+        series.push(Series::new("virtual work", CurveStyle::Line, ends));
     }
     let read = data.readings().iter();
     let read: Vec<_> = read.map(|r| (r.load_g, r.force_g)).collect();
     if !read.is_empty() {
-        series.push(Series::new("measured", Mark::Dots, read));
+        series.push(Series::new("measured", CurveStyle::Dots, read));
     }
     vec![Chart {
         title: "Force against load".to_owned(),

@@ -1,7 +1,7 @@
 //! What happened along the path, as marks over the pull, and where their names
 //! find room.
 
-use super::PlotData;
+use super::data::PlotData;
 use super::pane::{SMALL, Surface};
 use crate::app::look::{Tokens, icon_font, icons};
 use crate::app::words;
@@ -12,7 +12,7 @@ use crate::view::Quantity;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, pos2};
 
 /// An event of the path.
-pub(super) struct Mark {
+pub(super) struct Happening {
     /// In mm.
     pub pull: f64,
     /// In metres.
@@ -40,7 +40,7 @@ const LANE: f32 = 16.0;
 const NEAR: f32 = 6.0;
 
 /// The marks of a path, by pull.
-pub(super) fn of(path: &Path, data: &PlotData<'_>) -> Vec<Mark> {
+pub(super) fn of(path: &Path, data: &PlotData<'_>) -> Vec<Happening> {
     let robot = data.problem.robot();
     let obstacle = |index: usize| words::obstacle_of(data.scene, index);
     let disk = |node: usize| {
@@ -76,7 +76,7 @@ pub(super) fn of(path: &Path, data: &PlotData<'_>) -> Vec<Mark> {
             Occurrence::BranchEnded { .. } => (Kind::End, "branch ends".to_owned()),
             Occurrence::PushedAside { .. } | Occurrence::StartRefused => return None,
         };
-        Some(Mark {
+        Some(Happening {
             pull: millimetres(event.pull),
             at: event.pull,
             kind,
@@ -84,13 +84,13 @@ pub(super) fn of(path: &Path, data: &PlotData<'_>) -> Vec<Mark> {
             long: words::event(event, data.scene),
         })
     });
-    let mut marks: Vec<Mark> = events.collect();
+    let mut marks: Vec<Happening> = events.collect();
     // Ends for other reasons are noted as the path's end only.
     for end in [&path.start, &path.end].into_iter().flatten() {
         let noted = matches!(end.status, Status::BranchEnded { .. });
         if !noted || !marks.iter().any(|mark| mark.kind == Kind::End) {
             let pull = Quantity::fixed(millimetres(end.pull), 2, "mm").text();
-            marks.push(Mark {
+            marks.push(Happening {
                 pull: millimetres(end.pull),
                 at: end.pull,
                 kind: Kind::End,
@@ -135,7 +135,7 @@ impl Kind {
 }
 
 /// The height that marks and their names take above a curve.
-pub(super) fn height(marks: &[Mark]) -> f32 {
+pub(super) fn height(marks: &[Happening]) -> f32 {
     if marks.is_empty() {
         0.0
     } else {
@@ -147,18 +147,18 @@ pub(super) fn height(marks: &[Mark]) -> f32 {
 /// that the pointer is on.
 pub(super) fn draw<'a>(
     surface: &Surface<'_>,
-    marks: &'a [Mark],
+    marks: &'a [Happening],
     tokens: &Tokens,
-) -> Option<&'a Mark> {
+) -> Option<&'a Happening> {
     let frame = surface.frame();
     let painter = surface.painter;
     let lane = frame.top() + LANE * (LANES as f32 + 0.5);
-    let near = |mark: &&Mark| {
+    let near = |mark: &&Happening| {
         surface
             .pointer
             .is_some_and(|pointer| (surface.x(mark.pull) - pointer.x).abs() <= NEAR)
     };
-    let distance = |mark: &&Mark| {
+    let distance = |mark: &&Happening| {
         let pointer = surface.pointer.map_or(0.0, |pointer| pointer.x);
         (surface.x(mark.pull) - pointer).abs()
     };
@@ -185,8 +185,8 @@ pub(super) fn draw<'a>(
 
 /// Whether a mark is that of a contact which a jump makes or ends: the jump
 /// tells of it.
-fn outshone(surface: &Surface<'_>, mark: &Mark, marks: &[Mark]) -> bool {
-    let telling = |mark: &Mark| matches!(mark.kind, Kind::Jump | Kind::End);
+fn outshone(surface: &Surface<'_>, mark: &Happening, marks: &[Happening]) -> bool {
+    let telling = |mark: &Happening| matches!(mark.kind, Kind::Jump | Kind::End);
     !telling(mark)
         && marks
             .iter()
@@ -194,15 +194,15 @@ fn outshone(surface: &Surface<'_>, mark: &Mark, marks: &[Mark]) -> bool {
 }
 
 /// Whether two marks are one on the screen.
-pub(super) fn same(surface: &Surface<'_>, a: &Mark, b: &Mark) -> bool {
+pub(super) fn same(surface: &Surface<'_>, a: &Happening, b: &Happening) -> bool {
     (surface.x(a.pull) - surface.x(b.pull)).abs() < 1.0
 }
 
 /// Names from the most telling on: a jump or an end comes before contacts, and
 /// what the pointer is on before all. One that finds no room is left out.
-fn names(surface: &Surface<'_>, marks: &[Mark], hovered: Option<&Mark>, tokens: &Tokens) {
+fn names(surface: &Surface<'_>, marks: &[Happening], hovered: Option<&Happening>, tokens: &Tokens) {
     let frame = surface.frame();
-    let mut order: Vec<&Mark> = marks
+    let mut order: Vec<&Happening> = marks
         .iter()
         .filter(|mark| frame.x_range().contains(surface.x(mark.pull)))
         .filter(|mark| !outshone(surface, mark, marks))

@@ -10,6 +10,7 @@
 
 mod bends;
 mod cache;
+pub mod data;
 mod energy;
 mod export;
 mod force;
@@ -20,135 +21,11 @@ mod pane;
 mod tip;
 
 pub use cache::PlotCache;
+pub use data::{Link, Plot, PlotAction, PlotData};
 pub use export::{csv, svg};
 
-use super::state::Hovered;
-use crate::equilibrium::Solution;
-use crate::explore::Path;
-use crate::forces::{Stiffness, Window};
-use crate::model::Problem;
-use crate::scene::{ForceReading, Scene};
 use eframe::egui::Ui;
-
-/// A plot of the dock.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
-pub enum Plot {
-    /// Multipliers by node, the paper's Fig. 5.
-    Multipliers,
-    /// The tip over the pull, Fig. 7.
-    Tip,
-    /// Force over load, Fig. 10.
-    Force,
-    /// Energy and events over the pull.
-    Energy,
-    /// Bends and shears by segment.
-    Bends,
-}
-
-impl Plot {
-    /// All of them, in the order of the dock.
-    pub const ALL: [Plot; 5] = [
-        Plot::Multipliers,
-        Plot::Tip,
-        Plot::Force,
-        Plot::Energy,
-        Plot::Bends,
-    ];
-
-    /// Its name on its tab.
-    pub fn title(self) -> &'static str {
-        match self {
-            Plot::Multipliers => "Multipliers",
-            Plot::Tip => "Tip",
-            Plot::Force => "Force",
-            Plot::Energy => "Energy",
-            Plot::Bends => "Bends",
-        }
-    }
-
-    /// Its word in files' names.
-    pub fn word(self) -> &'static str {
-        match self {
-            Plot::Multipliers => "multipliers",
-            Plot::Tip => "tip",
-            Plot::Force => "force",
-            Plot::Energy => "energy",
-            Plot::Bends => "bends",
-        }
-    }
-}
-
-/// What there is to plot.
-#[derive(Clone, Copy)]
-pub struct PlotData<'a> {
-    /// The scene: names, the stiffness, readings.
-    pub scene: &'a Scene,
-    /// The problem that is shown.
-    pub problem: &'a Problem,
-    /// Its solution; without nodes where there is none yet.
-    pub solution: &'a Solution,
-    /// The robot along its pull, as far as it is known.
-    pub path: Option<&'a Path>,
-    /// The pulls that lines are fitted on.
-    pub window: Window,
-    /// Changes whenever the problem or the solution does.
-    pub shape_generation: u64,
-    /// Changes whenever the path does.
-    pub path_generation: u64,
-}
-
-impl PlotData<'_> {
-    /// The stiffness, where the scene has one.
-    pub fn stiffness(&self) -> Option<Stiffness> {
-        Stiffness::of_scene(self.scene).ok().flatten()
-    }
-
-    /// The force readings of the scene.
-    pub fn readings(&self) -> &[ForceReading] {
-        let measured = self.scene.measured.as_ref();
-        measured.map_or(&[], |measured| &measured.forces)
-    }
-
-    /// The index of the reading that fixes μ.
-    pub fn calibration(&self) -> Option<usize> {
-        let index = self.scene.measured.as_ref()?.calibration?;
-        let index = usize::try_from(index).ok()?;
-        (index < self.readings().len()).then_some(index)
-    }
-}
-
-/// What connects the plots with each other and with the rest of the window.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Link {
-    /// What the pointer was on in the last frame, anywhere in the window.
-    pub hovered: Hovered,
-    /// What it is on now, if it is on a plot; not touched otherwise.
-    pub hovering: Hovered,
-    /// A pull that was clicked or dragged to, in metres.
-    pub pull: Option<f64>,
-    /// The pulls that lines are fitted on; its edges can be dragged.
-    pub window: Window,
-    /// The index of a reading that is to fix μ.
-    pub calibrate: Option<usize>,
-}
-
-/// What a plot asks for.
-#[derive(Clone, Debug, PartialEq)]
-pub enum PlotAction {
-    /// A file to be saved.
-    Save {
-        /// Its name without extension.
-        name: String,
-        /// `csv` or `svg`.
-        extension: &'static str,
-        /// Its contents.
-        bytes: Vec<u8>,
-    },
-    /// The backbone's stiffness is to be given.
-    AskStiffness,
-    /// A force reading is to be given.
-    AskReading,
-}
+use pane::Asked;
 
 /// Shows a plot in the room there is.
 pub fn show(
@@ -160,11 +37,28 @@ pub fn show(
 ) -> Option<PlotAction> {
     cache.refresh(data);
     let cache = &*cache;
-    match plot {
+    let asked = match plot {
         Plot::Multipliers => multipliers::show(ui, data, cache, link),
         Plot::Tip => tip::show(ui, data, cache, link),
         Plot::Force => force::show(ui, data, cache, link),
         Plot::Energy => energy::show(ui, data, cache, link),
         Plot::Bends => bends::show(ui, data, cache, link),
+    };
+    match asked? {
+        Asked::Csv => Some(saved(plot, "csv", csv(plot, data))),
+        Asked::Svg => {
+            let text = export::svg_from(plot, data, cache).ok()?;
+            Some(saved(plot, "svg", text))
+        }
+        Asked::Stiffness => Some(PlotAction::AskStiffness),
+        Asked::Reading => Some(PlotAction::AskReading),
+    }
+}
+
+fn saved(plot: Plot, extension: &'static str, text: String) -> PlotAction {
+    PlotAction::Save {
+        name: plot.word().to_owned(),
+        extension,
+        bytes: text.into_bytes(),
     }
 }

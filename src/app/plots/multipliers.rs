@@ -1,17 +1,19 @@
 //! Multipliers by node, the paper's Fig. 5: which parts of the robot press, and
 //! how hard.
 
+use super::cache::PlotCache;
 use super::cache::{Side, Stem, Twin};
-use super::export::cell;
-use super::pane::{Quantities, Surface, Text, Whole, canvas, header, heat, named, ordinate};
-use super::{Link, Plot, PlotAction, PlotCache, PlotData};
+use super::data::{Link, Plot, PlotData};
+use super::pane::{
+    Asked, Quantities, Surface, Text, Whole, canvas, cell, header, heat, named, ordinate,
+};
 use crate::app::look::{Tokens, theme_of};
-use crate::app::state::Hovered;
 use crate::app::words;
+use crate::app::workbench::Hovered;
 use crate::equilibrium::Class;
 use crate::model::part_name;
 use crate::units::{grams, millimetres, per_millimetre};
-use crate::view::{Axis, Chart, CurveStyle as Mark, Quantity, Series, Theme, superscript};
+use crate::view::{Axis, Chart, CurveStyle, Quantity, Series, Theme, superscript};
 use eframe::egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
 
 /// How near the pointer has to be to a stem.
@@ -50,7 +52,7 @@ pub(super) fn show(
     data: &PlotData<'_>,
     cache: &PlotCache,
     link: &mut Link,
-) -> Option<PlotAction> {
+) -> Option<Asked> {
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
     let shape = &cache.shape;
     let (factor, unit) = scale(shape.greatest);
@@ -60,7 +62,7 @@ pub(super) fn show(
     };
     let reading = reading(data, link, &tokens);
     let name = ordinate(&multiplier, &tokens);
-    let action = header(ui, Plot::Multipliers, data, cache, name, reading, |_| {});
+    let asked = header(ui, Plot::Multipliers, name, reading, |_| {});
     let abscissa = Quantities {
         name: "Node, from 0 at the base",
         unit: "",
@@ -115,7 +117,7 @@ pub(super) fn show(
             }
         };
     }
-    action
+    asked
 }
 
 /// What the cursor is on, in words and numbers.
@@ -330,7 +332,7 @@ pub(super) fn charts(data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
             1e6 * here.map(|stem| stem.multiplier).sum::<f64>() + 0.0
         };
         let points = (0..=nodes).map(|node| (node as f64, on(node)));
-        Series::new(name, Mark::Stems, points.collect())
+        Series::new(name, CurveStyle::Stems, points.collect())
     });
     vec![Chart {
         title: "Multipliers by node".to_owned(),

@@ -2,10 +2,10 @@
 //! and the window of the fits, which a hand can drag, and the twin of a pull
 //! that the pointer is on elsewhere.
 
+use super::data::{Link, PlotData};
 use super::pane::Surface;
-use super::{Link, PlotData};
 use crate::app::look::Tokens;
-use crate::app::state::Hovered;
+use crate::app::workbench::Hovered;
 use crate::units::{metres, millimetres};
 use eframe::egui::{
     CursorIcon, PointerButton, Pos2, Rect, Response, Shape, Stroke, Ui, pos2, vec2,

@@ -1,8 +1,9 @@
 //! What all plots have in common: a header with names, a read-out and a menu,
 //! quiet axes with round numbers, and the way from values to the screen.
 
-use super::{Plot, PlotAction, PlotCache, PlotData, export};
+use super::data::Plot;
 use crate::app::look::{Tokens, colour, icon_button, icons};
+use crate::math::unsigned_zero;
 use crate::view::{Quantity, Theme};
 use eframe::egui::text::{ByteIndex, LayoutJob};
 use eframe::egui::{
@@ -115,18 +116,29 @@ impl Text {
     }
 }
 
+/// What a plot asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Asked {
+    /// Its numbers as a file.
+    Csv,
+    /// Its picture as a file.
+    Svg,
+    /// The backbone's stiffness is to be given.
+    Stiffness,
+    /// A force reading is to be given.
+    Reading,
+}
+
 /// The header of a plot: what its ordinate is on the left, what the cursor
 /// reads on the right, and the menu of what can be saved.
 pub(super) fn header(
     ui: &mut Ui,
     plot: Plot,
-    data: &PlotData<'_>,
-    cache: &PlotCache,
     ordinate: Text,
     reading: Text,
     more: impl FnOnce(&mut Ui),
-) -> Option<PlotAction> {
-    let mut action = None;
+) -> Option<Asked> {
+    let mut asked = None;
     let size = vec2(ui.available_width(), HEADER);
     let layout = Layout::right_to_left(Align::Center);
     ui.allocate_ui_with_layout(size, layout, |ui| {
@@ -135,11 +147,10 @@ pub(super) fn header(
         let menu = icon_button(ui, icons::DOTS_THREE, &name);
         Popup::menu(&menu).show(|ui| {
             if ui.button("Export CSV").clicked() {
-                action = Some(saved(plot, "csv", export::csv(plot, data)));
+                asked = Some(Asked::Csv);
             }
             if ui.button("Export SVG").clicked() {
-                let text = export::svg_from(plot, data, cache);
-                action = text.ok().map(|text| saved(plot, "svg", text));
+                asked = Some(Asked::Svg);
             }
             more(ui);
         });
@@ -155,15 +166,7 @@ pub(super) fn header(
         let at = pos2(rect.left() + 4.0, y(ordinate.size().y));
         ui.painter().galley(at, ordinate, ink);
     });
-    action
-}
-
-fn saved(plot: Plot, extension: &'static str, text: String) -> PlotAction {
-    PlotAction::Save {
-        name: plot.word().to_owned(),
-        extension,
-        bytes: text.into_bytes(),
-    }
+    asked
 }
 
 /// The name of an ordinate, its unit muted.
@@ -386,13 +389,7 @@ pub(super) fn named(response: &Response, name: &str) {
     response.widget_info(|| WidgetInfo::labeled(eframe::egui::Role::Figure, true, name));
 }
 
-/// The value of a curve at an abscissa, straight between its points.
-pub(super) fn value_at(points: &[PlotPoint], x: f64) -> Option<f64> {
-    let after = points.partition_point(|point| point.x < x);
-    let b = points.get(after)?;
-    let Some(a) = after.checked_sub(1).map(|before| points[before]) else {
-        return (b.x == x).then_some(b.y);
-    };
-    let t = (x - a.x) / (b.x - a.x);
-    Some((1.0 - t) * a.y + t * b.y)
+/// A number in a table, with all its digits.
+pub(super) fn cell(value: f64) -> String {
+    unsigned_zero(value).to_string()
 }

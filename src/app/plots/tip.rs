@@ -1,19 +1,20 @@
 //! The tip over the pull, the paper's Fig. 7: its displacement and its slope,
 //! with the straight lines of eq. 7 in a window that a hand can move.
 
-use super::export::cell;
+use super::cache::PlotCache;
+use super::data::{Link, Plot, PlotData};
 use super::over_pull::{Cursor, Edges, Knob, read_at, window_shade};
 use super::pane::{
-    Quantities, SMALL, Surface, Text, Whole, canvas, curve, empty, header, hue, named, ordinate,
+    Asked, Quantities, SMALL, Surface, Text, Whole, canvas, cell, curve, empty, header, hue, named,
+    ordinate,
 };
-use super::{Link, Plot, PlotAction, PlotCache, PlotData};
 use crate::app::look::{Tokens, theme_of};
 use crate::app::plots::cache::Piece;
 use crate::explore::Path;
 use crate::forces::{LineFit, Rates, Window};
 use crate::record::path::{COLUMNS, rows};
 use crate::units::{degrees, metres, millimetres};
-use crate::view::{Axis, Chart, CurveStyle as Mark, Quantity, Series};
+use crate::view::{Axis, Chart, CurveStyle, Quantity, Series};
 use eframe::egui::{Align2, DragValue, RichText, Sense, Ui, pos2, vec2};
 use egui_plot::PlotPoint;
 
@@ -86,7 +87,7 @@ pub(super) fn show(
     data: &PlotData<'_>,
     cache: &PlotCache,
     link: &mut Link,
-) -> Option<PlotAction> {
+) -> Option<Asked> {
     let tokens = Tokens::in_ui(ui);
     let curves = curves(data);
     let displacement = Quantities {
@@ -95,13 +96,13 @@ pub(super) fn show(
     };
     let pull = read_at(data, link);
     let mut reading = Text::default();
-    let known = !cache.course.pieces.is_empty();
+    let known = !cache.along.pieces.is_empty();
     if known {
         // In millimetres all, as the ordinate says.
         let shown = Quantity::fixed(millimetres(pull), 2, "");
         reading = reading.value("pull", &shown, &tokens);
         for curve in &curves {
-            if let Some(value) = cache.course.value(curve.of, millimetres(pull)) {
+            if let Some(value) = cache.along.value(curve.of, millimetres(pull)) {
                 let (decimals, unit) = match curve.unit {
                     "mm" => (2, ""),
                     unit => (1, unit),
@@ -113,12 +114,12 @@ pub(super) fn show(
     }
     let name = ordinate(&displacement, &tokens);
     let range = data.path.and_then(Path::range);
-    let action = header(ui, Plot::Tip, data, cache, name, reading, |ui| {
+    let asked = header(ui, Plot::Tip, name, reading, |ui| {
         window(ui, link, range.unwrap_or(data.problem.robot().pull_range()));
     });
     if !known {
         empty(ui, "The robot is being followed along its pull.", |_| {});
-        return action;
+        return asked;
     }
     let nothing = Quantities { name: "", unit: "" };
     let pull_axis = Quantities {
@@ -141,7 +142,7 @@ pub(super) fn show(
         abscissa: &pull_axis,
     };
     half(ui, &lower, data, cache, link);
-    action
+    asked
 }
 
 /// The ends of the window as numbers, for hands on a keyboard.
@@ -228,7 +229,7 @@ struct Half<'a> {
 
 fn half(ui: &mut Ui, half: &Half<'_>, data: &PlotData<'_>, cache: &PlotCache, link: &mut Link) {
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
-    let pieces = &cache.course.pieces;
+    let pieces = &cache.along.pieces;
     let group = ui.scope_id().with("pull axis");
     let plot = canvas(half.id, half.height, half.abscissa, &tokens, Whole::No)
         .link_axis(group, [true, false])
@@ -271,7 +272,7 @@ fn half(ui: &mut Ui, half: &Half<'_>, data: &PlotData<'_>, cache: &PlotCache, li
     cursor.show(ui, &surface, &shown.response, data, link);
     let pull = millimetres(data.solution.pull);
     for one in half.curves {
-        if let Some(here) = cache.course.value(one.of, pull) {
+        if let Some(here) = cache.along.value(one.of, pull) {
             surface.dot(surface.at(pull, here), hue(theme, one.hue), &tokens);
         }
     }
@@ -286,7 +287,7 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
 }
 
 pub(super) fn charts(data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
-    let pieces = &cache.course.pieces;
+    let pieces = &cache.along.pieces;
     let curves = curves(data);
     let chart = |title: &str, word, y, curves: &[Curve]| {
         let mut series = Vec::new();
@@ -297,14 +298,14 @@ pub(super) fn charts(data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
                     jumps => format!("{}, after {jumps} jumps", curve.name),
                 };
                 let points = (curve.of)(piece).iter().map(|p| (p.x, p.y)).collect();
-                series.push(Series::new(name, Mark::Line, points));
+                series.push(Series::new(name, CurveStyle::Line, points));
             }
             if let Some(Ok(rates)) = &cache.fits.path {
                 let ends = [data.window.first, data.window.last];
                 let ends = ends.map(|pull| (millimetres(pull), curve.line_at(rates, pull)));
                 let rate = Quantity::fixed(curve.rate(rates), 4, "").digits;
                 let name = format!("{}, line: f′ = {rate} {}/mm", curve.name, curve.unit);
-                series.push(Series::new(name, Mark::Dashed, ends.to_vec()));
+                series.push(Series::new(name, CurveStyle::Dashed, ends.to_vec()));
             }
         }
         Chart {

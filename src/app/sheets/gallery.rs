@@ -1,13 +1,13 @@
 //! The gallery of examples: cards with the real solved drawing, solved while
 //! the gallery is open, a few milliseconds a frame.
 
-use super::{Stays, caption, large};
-use crate::app::canvas::paint_drawing;
+use super::frame::{Stays, caption, large};
 use crate::app::examples::{EXAMPLES, Example, Group};
-use crate::app::files::{self, Arrival, Intent};
+use crate::app::files;
 use crate::app::look::{Tokens, semibold, theme_of};
-use crate::app::notices::Notice;
-use crate::app::state::State;
+use crate::app::paint;
+use crate::app::words::sentence;
+use crate::app::workbench::{Arrival, Intent, Notice, Workbench};
 use crate::equilibrium::{Progress, Run, Settings, Start};
 use crate::geometry::Vector;
 use crate::model::Problem;
@@ -83,24 +83,29 @@ impl Gallery {
 }
 
 /// Opens an example, after asking where unsaved work would be lost.
-pub(super) fn open(state: &mut State, example: &'static Example, ctx: &Context) {
+pub(super) fn open(bench: &mut Workbench, example: &'static Example, ctx: &Context) {
     match example.scene() {
         Ok(scene) => {
             let arrival = Arrival::of(scene);
-            files::request(state, Intent::Scene(Box::new(arrival)), ctx);
+            files::request(bench, Intent::Scene(Box::new(arrival)), ctx);
         }
-        Err(fault) => state
+        Err(fault) => bench
             .notices
-            .tell(Notice::trouble(files::sentence(&fault.to_string()))),
+            .tell(Notice::trouble(sentence(&fault.to_string()))),
     }
 }
 
-pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
-    if state.sheets.gallery.work() {
+pub(super) fn show(
+    ctx: &Context,
+    gallery: &mut Gallery,
+    bench: &mut Workbench,
+    fresh: bool,
+) -> Stays {
+    if gallery.work() {
         ctx.request_repaint();
     }
     let mut chosen = None;
-    let pictures = &state.sheets.gallery.pictures;
+    let pictures = &gallery.pictures;
     let stays = large(ctx, "gallery", "Examples", (960.0, 680.0), |ui| {
         let wide = ui.available_width();
         let columns = ((wide + GAP) / (LEAST + GAP)).floor().max(1.0);
@@ -139,7 +144,7 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
         }
     });
     if let Some(example) = chosen {
-        open(state, example, ctx);
+        open(bench, example, ctx);
         return Stays::Open;
     }
     stays
@@ -221,7 +226,7 @@ fn miniature(ui: &Ui, drawing: &Drawing, window: Rect) {
             .graphics_mut(|all| all.entry(ui.layer_id()).next_idx())
     };
     let from = next(ui);
-    paint_drawing(&painter, drawing, &frame, theme_of(ui));
+    paint::drawing(&painter, drawing, &frame, theme_of(ui));
     let to = next(ui);
     ui.ctx().graphics_mut(|all| {
         all.entry(ui.layer_id()).transform_range(from, to, smaller);

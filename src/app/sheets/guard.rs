@@ -1,9 +1,9 @@
 //! The question in front of whatever would throw unsaved work away.
 
-use super::{main_button, modal, plain_button, room};
-use crate::app::files::{self, Intent, Saving};
+use super::frame::{main_button, modal, plain_button, room};
+use crate::app::files::{self, Saving};
 use crate::app::look::semibold;
-use crate::app::state::State;
+use crate::app::workbench::{Intent, Workbench};
 use eframe::egui::{Align, Context, Key, Layout, Modifiers, RichText};
 
 /// What was answered.
@@ -14,15 +14,15 @@ enum Answer {
     Cancel,
 }
 
-pub(super) fn show(ctx: &Context, state: &mut State) {
-    let Some(intent) = &state.sheets.guard else {
+pub(super) fn show(ctx: &Context, bench: &mut Workbench) {
+    let Some(intent) = &bench.files.guarded else {
         return;
     };
     let what = match intent {
         Intent::Close => "before the window closes",
         _ => "before another scene takes its place",
     };
-    let title = format!("Save the changes to {}?", state.document.name());
+    let title = format!("Save the changes to {}?", bench.document.name());
     let (width, _) = room(ctx, 440.0, 0.0);
     let response = modal(ctx, "guard").show(ctx, |ui| {
         ui.set_width(width);
@@ -63,12 +63,12 @@ pub(super) fn show(ctx: &Context, state: &mut State) {
     let Some(answer) = answer else {
         return;
     };
-    let Some(intent) = state.sheets.guard.take() else {
+    let Some(intent) = bench.files.guarded.take() else {
         return;
     };
     match answer {
         Answer::Cancel => {}
-        Answer::Discard => files::carry_out(state, intent, ctx),
-        Answer::Save => files::save(state, Saving::InPlace, Some(intent)),
+        Answer::Discard => files::carry_out(bench, intent, ctx),
+        Answer::Save => files::save(bench, Saving::InPlace, Some(intent)),
     }
 }

@@ -1,7 +1,7 @@
 //! The help: keys and gestures, what the colours mean, the model in a few
 //! sentences. The keys come from the list of commands.
 
-use super::{Stays, caption, large};
+use super::frame::{Stays, caption, large};
 use crate::app::commands::{ALL, Group};
 use crate::app::look::{Tokens, colour, contact_scale, semibold, theme_of};
 use crate::view::{Role, Standing};

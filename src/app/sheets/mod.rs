@@ -2,21 +2,16 @@
 //! that have to be answered. One sheet at a time, and over it, where unsaved
 //! work is at stake, the guard.
 
+mod frame;
 mod gallery;
 mod guard;
 mod help;
 mod palette;
 mod trouble;
 
-pub use trouble::Trouble;
-
-use super::files::Intent;
-use super::look::{Tokens, icon_button, icons, semibold};
-use super::state::State;
-use eframe::egui::{
-    Align, Align2, Color32, Context, Frame, Id, Layout, Margin, Modal, RichText, ScrollArea,
-    Stroke, StrokeKind, Ui, vec2,
-};
+use crate::app::workbench::{Trouble, Workbench};
+use eframe::egui::Context;
+use frame::Stays;
 
 /// A sheet.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,13 +26,6 @@ pub enum Sheet {
     Trouble(Trouble),
 }
 
-impl Sheet {
-    /// Something that did not work: a title, and why, in sentences.
-    pub fn trouble(title: impl Into<String>, reasons: Vec<String>) -> Trouble {
-        Trouble::new(title.into(), reasons)
-    }
-}
-
 impl From<Trouble> for Sheet {
     fn from(trouble: Trouble) -> Self {
         Sheet::Trouble(trouble)
@@ -48,177 +36,82 @@ impl From<Trouble> for Sheet {
 #[derive(Default)]
 pub struct Sheets {
     /// The sheet that is open.
-    pub sheet: Option<Sheet>,
-    /// What is to happen as soon as it is decided what becomes of unsaved work.
-    pub guard: Option<Intent>,
+    sheet: Option<Sheet>,
     palette: palette::Palette,
     gallery: gallery::Gallery,
     /// Whether the sheet was opened in this frame, so that it takes the focus.
     fresh: bool,
+    /// The document that it has seen, see [`Workbench::opened`].
+    opened: u64,
 }
 
 impl Sheets {
     /// Opens a sheet in the place of the one that is open.
-    pub fn show(&mut self, sheet: impl Into<Sheet>) {
+    pub fn open(&mut self, sheet: impl Into<Sheet>) {
         self.sheet = Some(sheet.into());
         self.palette = palette::Palette::default();
         self.fresh = true;
     }
 
-    /// Whether anything lies over the window.
-    pub fn is_open(&self) -> bool {
-        self.sheet.is_some() || self.guard.is_some()
+    /// Takes what the workbench has for it: another document closes the sheet,
+    /// and trouble opens one.
+    pub fn take_news(&mut self, bench: &mut Workbench) {
+        if self.opened != bench.opened {
+            self.opened = bench.opened;
+            self.sheet = None;
+        }
+        if let Some(trouble) = bench.trouble.take() {
+            self.open(trouble);
+        }
+    }
+
+    /// Whether anything lies over the window, now that it has taken its news.
+    pub fn is_open(&self, bench: &Workbench) -> bool {
+        self.sheet.is_some() || bench.files.guarded.is_some()
     }
 }
 
 /// Shows what lies over the window.
-pub fn show(ctx: &Context, state: &mut State) {
-    let fresh = std::mem::take(&mut state.sheets.fresh);
-    let stays = match &state.sheets.sheet {
+pub fn show(ctx: &Context, sheets: &mut Sheets, bench: &mut Workbench) {
+    sheets.take_news(bench);
+    let fresh = std::mem::take(&mut sheets.fresh);
+    let stays = match &sheets.sheet {
         None => Stays::Open,
-        Some(Sheet::Gallery) => gallery::show(ctx, state, fresh),
-        Some(Sheet::Palette) => palette::show(ctx, state, fresh),
+        Some(Sheet::Gallery) => gallery::show(ctx, &mut sheets.gallery, bench, fresh),
+        Some(Sheet::Palette) => palette::show(ctx, &mut sheets.palette, bench, fresh),
         Some(Sheet::Help) => help::show(ctx),
-        Some(Sheet::Trouble(trouble)) => {
-            let trouble = trouble.clone();
-            trouble::show(ctx, state, &trouble, fresh)
-        }
+        Some(Sheet::Trouble(trouble)) => trouble::show(ctx, bench, trouble, fresh),
     };
+    sheets.take_news(bench);
     // A sheet that opened another one does not close that.
-    if stays == Stays::Closed && !state.sheets.fresh {
-        state.sheets.sheet = None;
+    if stays == Stays::Closed && !sheets.fresh {
+        sheets.sheet = None;
     }
-    guard::show(ctx, state);
+    guard::show(ctx, bench);
+    sheets.take_news(bench);
 }
 
-/// Whether a sheet stays.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stays {
-    Open,
-    Closed,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
 
-impl Stays {
-    fn unless(closed: bool) -> Self {
-        if closed { Stays::Closed } else { Stays::Open }
+    #[test]
+    fn another_document_closes_a_sheet_and_trouble_opens_one() {
+        let mut bench = Workbench::with(Scene::default());
+        let mut sheets = Sheets::default();
+        sheets.open(Sheet::Gallery);
+        sheets.take_news(&mut bench);
+        assert!(sheets.is_open(&bench));
+        bench.open(Scene::default()).unwrap();
+        sheets.take_news(&mut bench);
+        assert!(!sheets.is_open(&bench));
+        let trouble = Trouble::new("It cannot be opened", vec!["It is empty.".to_owned()]);
+        bench.open(Scene::default()).unwrap();
+        bench.trouble = Some(trouble.clone());
+        sheets.take_news(&mut bench);
+        assert_eq!(sheets.sheet, Some(Sheet::Trouble(trouble)));
+        // It is told once.
+        assert_eq!(bench.trouble, None);
     }
-}
-
-/// A sheet's room: at most this wide and high, and never beyond the window.
-fn room(ctx: &Context, width: f32, height: f32) -> (f32, f32) {
-    let window = ctx.content_rect().size();
-    (
-        width.min(window.x - 24.0 - 2.0 * EDGE),
-        height.min(window.y - 24.0 - 2.0 * EDGE - 40.0),
-    )
-}
-
-/// Room between a sheet's edge and what it holds.
-const EDGE: f32 = 20.0;
-
-/// The frame of all sheets.
-fn frame(ui_style: &eframe::egui::Style) -> Frame {
-    Frame::window(ui_style)
-        .corner_radius(14)
-        .inner_margin(Margin::same(EDGE as i8))
-}
-
-fn modal(ctx: &Context, name: &str) -> Modal {
-    let shade = if ctx.global_style().visuals.dark_mode {
-        150
-    } else {
-        80
-    };
-    Modal::new(Id::unique(name))
-        .backdrop_color(Color32::from_black_alpha(shade))
-        .frame(frame(&ctx.global_style()))
-}
-
-/// A large sheet with a title and a cross, whose contents scroll.
-fn large(
-    ctx: &Context,
-    name: &str,
-    title: &str,
-    size: (f32, f32),
-    content: impl FnOnce(&mut Ui),
-) -> Stays {
-    let (width, height) = room(ctx, size.0, size.1);
-    let response = modal(ctx, name).show(ctx, |ui| {
-        ui.set_width(width);
-        let mut closed = false;
-        ui.horizontal(|ui| {
-            ui.label(RichText::new(title).font(semibold(18.0)));
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                closed = icon_button(ui, icons::X, "Close (Esc)").clicked();
-            });
-        });
-        ui.add_space(8.0);
-        ScrollArea::vertical()
-            .max_height(height)
-            // Beyond what the first frame happened to leave.
-            .min_scrolled_height(height)
-            .auto_shrink([false, true])
-            .show(ui, |ui| {
-                // Room for the scroll bar.
-                ui.set_max_width(width - 10.0);
-                content(ui);
-            });
-        closed
-    });
-    Stays::unless(response.inner || response.should_close())
-}
-
-/// A small sheet at the top of the window, as for words that are typed.
-fn at_top(ctx: &Context, name: &str, width: f32, content: impl FnOnce(&mut Ui)) -> Stays {
-    let (width, _) = room(ctx, width, 0.0);
-    let id = Id::unique(name);
-    let down = (0.12 * ctx.content_rect().height()).min(96.0);
-    let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, down));
-    let frame = frame(&ctx.global_style()).inner_margin(Margin::same(8));
-    let response = modal(ctx, name).area(area).frame(frame).show(ctx, |ui| {
-        ui.set_width(width);
-        content(ui);
-    });
-    Stays::unless(response.should_close())
-}
-
-/// A caption over a part of a sheet.
-fn caption(ui: &mut Ui, text: &str) {
-    let muted = Tokens::in_ui(ui).muted;
-    ui.label(RichText::new(text).font(semibold(12.0)).color(muted));
-    ui.add_space(4.0);
-}
-
-/// A button that stands out: what is usually meant.
-fn main_button(ui: &mut Ui, text: &str) -> eframe::egui::Response {
-    let tokens = Tokens::in_ui(ui);
-    // Light on the accent by day, dark on it by night.
-    let ink = if ui.visuals().dark_mode {
-        tokens.sunken
-    } else {
-        tokens.raised
-    };
-    let text = RichText::new(text).font(semibold(14.0)).color(ink);
-    let button = eframe::egui::Button::new(text).fill(tokens.accent);
-    ringed(ui, button.min_size(vec2(72.0, 32.0)))
-}
-
-/// A button with a ring around it while it has the focus.
-fn ringed(ui: &mut Ui, button: eframe::egui::Button<'_>) -> eframe::egui::Response {
-    let response = ui.add(button);
-    if response.has_focus() {
-        let stroke = Stroke::new(2.0, Tokens::in_ui(ui).accent);
-        let around = response.rect.expand(3.0);
-        ui.painter()
-            .rect_stroke(around, 8.0, stroke, StrokeKind::Inside);
-    }
-    response
-}
-
-/// Any other button of a sheet.
-fn plain_button(ui: &mut Ui, text: &str) -> eframe::egui::Response {
-    ringed(
-        ui,
-        eframe::egui::Button::new(text).min_size(vec2(72.0, 32.0)),
-    )
 }

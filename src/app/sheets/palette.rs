@@ -1,13 +1,13 @@
 //! The palette: every command, example and recent file by a few of its
 //! letters.
 
-use super::{Stays, at_top};
+use super::frame::{Stays, at_top};
 use crate::app::commands::{ALL, Command};
 use crate::app::examples::{EXAMPLES, Example};
-use crate::app::files::shown;
+use crate::app::files;
 use crate::app::look::{Tokens, icon, icons};
-use crate::app::platform::Errand;
-use crate::app::state::State;
+use crate::app::words::shown;
+use crate::app::workbench::Workbench;
 use eframe::egui::{
     Context, Key, Label, Modifiers, Rect, RichText, ScrollArea, Sense, TextEdit, TextStyle, Ui,
     UiBuilder, WidgetInfo, pos2, vec2,
@@ -33,7 +33,7 @@ enum Action {
 }
 
 #[derive(Clone, Debug)]
-struct Line {
+struct Choice {
     action: Action,
     icon: &'static str,
     title: String,
@@ -81,27 +81,27 @@ fn score(title: &str, typed: &str) -> Option<i32> {
     Some(16 * found - title.len().min(15) as i32)
 }
 
-fn lines(state: &State, ctx: &Context) -> Vec<Line> {
+fn lines(bench: &Workbench, ctx: &Context) -> Vec<Choice> {
     let commands = ALL.iter().filter(|entry| entry.command != Command::Palette);
-    let mut lines: Vec<Line> = commands
-        .map(|entry| Line {
+    let mut lines: Vec<Choice> = commands
+        .map(|entry| Choice {
             action: Action::Command(entry.command),
             icon: entry.icon,
             title: entry.title.to_owned(),
             aside: entry
                 .shortcut
                 .map_or_else(String::new, |keys| ctx.format_shortcut(&keys)),
-            enabled: entry.command.is_enabled(state),
+            enabled: bench.allows(entry.command),
         })
         .collect();
-    lines.extend(EXAMPLES.iter().map(|example| Line {
+    lines.extend(EXAMPLES.iter().map(|example| Choice {
         action: Action::Example(example),
         icon: icons::GRADUATION_CAP,
         title: format!("Open example: {}", example.title),
         aside: example.group.title().to_owned(),
         enabled: true,
     }));
-    lines.extend(state.files.recent.iter().map(|path| Line {
+    lines.extend(bench.files.recent.iter().map(|path| Choice {
         action: Action::Recent(path.clone()),
         icon: icons::FOLDER_OPEN,
         title: format!("Open recent: {}", shown(path)),
@@ -112,8 +112,8 @@ fn lines(state: &State, ctx: &Context) -> Vec<Line> {
 }
 
 /// The lines that answer what was typed, the best first.
-fn found(lines: Vec<Line>, typed: &str) -> Vec<Line> {
-    let mut scored: Vec<(i32, Line)> = lines
+fn found(lines: Vec<Choice>, typed: &str) -> Vec<Choice> {
+    let mut scored: Vec<(i32, Choice)> = lines
         .into_iter()
         .filter_map(|line| Some((score(&line.title, typed)?, line)))
         .collect();
@@ -122,14 +122,18 @@ fn found(lines: Vec<Line>, typed: &str) -> Vec<Line> {
     scored.into_iter().map(|(_, line)| line).collect()
 }
 
-pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
+pub(super) fn show(
+    ctx: &Context,
+    palette: &mut Palette,
+    bench: &mut Workbench,
+    fresh: bool,
+) -> Stays {
     let mut chosen = None;
     let again = ctx.input_mut(|input| {
         input.consume_key(Modifiers::COMMAND, Key::K)
             || input.consume_key(Modifiers::COMMAND | Modifiers::SHIFT, Key::P)
     });
     let stays = at_top(ctx, "palette", 560.0, |ui| {
-        let palette = &mut state.sheets.palette;
         // Before the field sees them.
         let (up, down, enter) = ui.input_mut(|input| {
             let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
@@ -151,8 +155,7 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
             palette.line = 0;
         }
         let typed = palette.typed.clone();
-        let found = found(lines(state, ui.ctx()), &typed);
-        let palette = &mut state.sheets.palette;
+        let found = found(lines(bench, ui.ctx()), &typed);
         let last = found.len().saturating_sub(1);
         let before = palette.line;
         if down {
@@ -200,11 +203,10 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
     });
     match chosen {
         Some(line) if line.enabled => {
-            state.sheets.sheet = None;
             match line.action {
-                Action::Command(command) => state.commands.push(command),
-                Action::Example(example) => super::gallery::open(state, example, ctx),
-                Action::Recent(path) => state.files.platform.read(Errand::Scene, path),
+                Action::Command(command) => bench.commands.push(command),
+                Action::Example(example) => super::gallery::open(bench, example, ctx),
+                Action::Recent(path) => files::reopen(bench, path),
             }
             Stays::Closed
         }
@@ -213,7 +215,7 @@ pub(super) fn show(ctx: &Context, state: &mut State, fresh: bool) -> Stays {
     }
 }
 
-fn row(ui: &mut Ui, line: &Line, current: bool) -> eframe::egui::Response {
+fn row(ui: &mut Ui, line: &Choice, current: bool) -> eframe::egui::Response {
     let tokens = Tokens::in_ui(ui);
     let size = vec2(ui.available_width(), LINE);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());

@@ -1,50 +1,11 @@
 //! Something that did not work: what, every reason, and a way out.
 
-use super::{Stays, caption, main_button, modal, plain_button, room};
-use crate::app::commands::Command;
+use super::frame::{Stays, caption, main_button, modal, plain_button, room};
 use crate::app::look::{Tokens, icon_font, icons, semibold};
-use crate::app::state::State;
+use crate::app::workbench::{Trouble, Workbench};
 use eframe::egui::{Align, Context, Layout, RichText, ScrollArea};
 
-/// Something that did not work.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Trouble {
-    /// What.
-    pub title: String,
-    /// Why, in sentences.
-    pub reasons: Vec<String>,
-    /// What can be done, leading to the offer.
-    pub advice: Option<String>,
-    /// The way out besides closing.
-    pub offer: Option<(String, Command)>,
-}
-
-impl Trouble {
-    pub(super) fn new(title: String, reasons: Vec<String>) -> Self {
-        Self {
-            title,
-            reasons,
-            advice: None,
-            offer: None,
-        }
-    }
-
-    /// The same with what can be done.
-    #[must_use]
-    pub fn with(mut self, advice: &str) -> Self {
-        self.advice = Some(advice.to_owned());
-        self
-    }
-
-    /// The same with a button.
-    #[must_use]
-    pub fn offering(mut self, label: &str, command: Command) -> Self {
-        self.offer = Some((label.to_owned(), command));
-        self
-    }
-}
-
-pub(super) fn show(ctx: &Context, state: &mut State, trouble: &Trouble, fresh: bool) -> Stays {
+pub(super) fn show(ctx: &Context, bench: &mut Workbench, trouble: &Trouble, fresh: bool) -> Stays {
     let (width, height) = room(ctx, 520.0, 360.0);
     let response = modal(ctx, "trouble").show(ctx, |ui| {
         ui.set_width(width);
@@ -80,7 +41,7 @@ pub(super) fn show(ctx: &Context, state: &mut State, trouble: &Trouble, fresh: b
                 Some((label, command)) => {
                     let offer = main_button(ui, label);
                     if offer.clicked() {
-                        state.commands.push(*command);
+                        bench.commands.push(*command);
                         closed = true;
                     }
                     closed |= plain_button(ui, "Close").clicked();

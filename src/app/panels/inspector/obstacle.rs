@@ -1,12 +1,10 @@
 //! An obstacle's fields, by its shape.
 
-use super::form::{Form, Number};
-use super::with_form;
 use crate::app::commands::Command;
 use crate::app::look::{icon, semibold};
-use crate::app::panels::bar::button;
-use crate::app::state::State;
-use crate::app::{panels::row, words};
+use crate::app::widgets::{Form, Number, button, row, with_form};
+use crate::app::words;
+use crate::app::workbench::Workbench;
 use crate::scene::limits::{ANGLE, COORDINATE, CORNER_RADIUS, RADIUS, SIDE};
 use crate::scene::{Scene, Shape};
 use crate::units::per_millimetre;
@@ -17,8 +15,8 @@ use eframe::egui::{Align, Layout, RichText, ScrollArea, Ui, vec2};
 const ROWS: f32 = 6.0;
 
 /// Shows the fields of an obstacle.
-pub fn show(ui: &mut Ui, state: &mut State, index: usize) {
-    let Some(found) = state.document.scene.obstacles.get(index) else {
+pub fn show(ui: &mut Ui, bench: &mut Workbench, index: usize) {
+    let Some(found) = bench.document.scene.obstacles.get(index) else {
         return;
     };
     let (glyph, word) = (words::shape_icon(&found.shape), words::shape(&found.shape));
@@ -26,12 +24,12 @@ pub fn show(ui: &mut Ui, state: &mut State, index: usize) {
         ui.label(icon(glyph));
         ui.label(RichText::new(word).font(semibold(14.0)));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            button(ui, state, Command::Delete);
+            button(ui, bench, Command::Delete);
         });
     });
     ui.add_space(4.0);
-    with_form(state, |scene, form| fields(ui, form, scene, index));
-    pressing(ui, state, index);
+    with_form(bench, |scene, form| fields(ui, form, scene, index));
+    pressing(ui, bench, index);
 }
 
 fn fields(ui: &mut Ui, form: &mut Form<'_>, scene: &mut Scene, index: usize) {
@@ -197,8 +195,8 @@ fn polygon(ui: &mut Ui, form: &mut Form<'_>, at: &str, shape: &mut Shape) {
 }
 
 /// How hard the robot presses on the obstacle.
-fn pressing(ui: &mut Ui, state: &State, index: usize) {
-    let Some(solution) = state.live.solution() else {
+fn pressing(ui: &mut Ui, bench: &Workbench, index: usize) {
+    let Some(solution) = bench.live.solution() else {
         return;
     };
     let on = solution.contacts.iter().filter(|it| it.obstacle == index);
@@ -209,7 +207,7 @@ fn pressing(ui: &mut Ui, state: &State, index: usize) {
     row::fact(ui, "Contacts", "", &count);
     let written = Quantity::significant(per_millimetre(total), "rad²/mm");
     row::fact(ui, "Multipliers", "Σ λ", &written);
-    if let Some(force) = state.document.force(total) {
+    if let Some(force) = bench.document.force(total) {
         row::fact(ui, "Forces", "Σ F", &force);
     }
 }

@@ -1,11 +1,8 @@
 //! The robot's fields.
 
-use super::form::{Form, Number};
-use super::with_form;
 use crate::app::look::{Tokens, icon, icons, semibold};
-use crate::app::panels::row;
-use crate::app::panels::typed::Kind;
-use crate::app::state::State;
+use crate::app::widgets::{Form, Kind, Number, row, with_form};
+use crate::app::workbench::Workbench;
 use crate::scene::limits::{
     ANGLE, BENDING_STIFFNESS, CABLE_OFFSET, COORDINATE, DISK_RADIUS, DISK_THICKNESS, LENGTH,
     LINE_DIAMETER, Limits, SEGMENTS,
@@ -14,10 +11,10 @@ use crate::scene::{Candidates, Contact, Robot};
 use eframe::egui::{self, Button, RichText, Ui, Vec2, WidgetInfo};
 
 /// Shows the robot's fields.
-pub fn show(ui: &mut Ui, state: &mut State) {
+pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     ui.label(RichText::new("Robot").font(semibold(14.0)));
     ui.add_space(4.0);
-    with_form(state, |scene, form| {
+    with_form(bench, |scene, form| {
         let robot = &mut scene.robot;
         backbone(ui, form, robot);
         ui.add_space(12.0);

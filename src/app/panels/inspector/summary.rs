@@ -1,31 +1,30 @@
 //! What is known of the scene and of the robot's shape, while nothing is
 //! selected.
 
-use super::with_form;
 use crate::app::look::semibold;
-use crate::app::panels::row;
 use crate::app::panels::status::Verdict;
-use crate::app::state::State;
+use crate::app::widgets::{row, with_form};
+use crate::app::workbench::Workbench;
 use crate::units::{degrees, millimetres, per_millimetre};
 use crate::view::Quantity;
 use eframe::egui::{RichText, Ui};
 
 /// Shows the summary.
-pub fn show(ui: &mut Ui, state: &mut State) {
+pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     ui.label(RichText::new("Scene").font(semibold(14.0)));
     ui.add_space(4.0);
-    with_form(state, |scene, form| {
+    with_form(bench, |scene, form| {
         form.text(ui, "title", "Title", &mut scene.title);
     });
     ui.add_space(12.0);
     row::heading(ui, "Shape");
-    let Some(shape) = state.live.shape() else {
+    let Some(shape) = bench.live.shape() else {
         row::fact(ui, "Status", "", &word("Solving…"));
         return;
     };
     let solution = &shape.solution;
     let mm = |value: f64| Quantity::fixed(millimetres(value), 2, "mm");
-    row::fact(ui, "Status", "", &word(Verdict::of(&state.live).word()));
+    row::fact(ui, "Status", "", &word(Verdict::of(&bench.live).word()));
     row::fact(ui, "Pull", "l", &mm(solution.pull));
     if let [base, .., tip] = solution.nodes.as_slice() {
         // Clockwise, as the robot bends when it is pulled.
@@ -42,7 +41,7 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     let written = Quantity::significant(per_millimetre(total), "rad²/mm");
     row::fact(ui, "Multipliers", "Σ λ", &written);
     let tension = solution.certificate.energy_slope;
-    let forces = [total, tension].map(|it| state.document.force(it));
+    let forces = [total, tension].map(|it| bench.document.force(it));
     if let [Some(total), Some(tension)] = forces {
         row::fact(ui, "Forces", "Σ F", &total);
         ui.add_space(12.0);

@@ -1,23 +1,23 @@
 //! New obstacles from the outline: the canvas's, put where there is room.
 
 use super::icon_menu;
-use crate::app::canvas::{Tool, clicked};
 use crate::app::look::{icon, icons};
-use crate::app::state::{Selection, State};
+use crate::app::shapes::{Tool, clicked};
 use crate::app::words;
+use crate::app::workbench::{Selection, Workbench};
 use crate::geometry::Vector;
 use crate::scene::{Robot, Scene, Shape};
 use crate::units::radians;
 use eframe::egui::{Button, Ui};
 
 /// A menu of the shapes there are.
-pub fn menu(ui: &mut Ui, state: &mut State) {
+pub fn menu(ui: &mut Ui, bench: &mut Workbench) {
     icon_menu(ui, icons::PLUS, "Add an obstacle", |ui| {
-        for shape in shapes(&state.document.scene) {
+        for shape in shapes(&bench.document.scene) {
             let name = words::shape(&shape);
             let button = Button::new((icon(words::shape_icon(&shape)), name));
             if ui.add(button).accessible_name(name).clicked() {
-                insert(state, shape);
+                insert(bench, shape);
                 ui.close();
             }
         }
@@ -25,16 +25,16 @@ pub fn menu(ui: &mut Ui, state: &mut State) {
 }
 
 /// Adds a disc.
-pub fn disc(state: &mut State) {
-    if let Some(disc) = shapes(&state.document.scene).next() {
-        insert(state, disc);
+pub fn disc(bench: &mut Workbench) {
+    if let Some(disc) = shapes(&bench.document.scene).next() {
+        insert(bench, disc);
     }
 }
 
-fn insert(state: &mut State, shape: Shape) {
-    let obstacles = &mut state.document.scene.obstacles;
+fn insert(bench: &mut Workbench, shape: Shape) {
+    let obstacles = &mut bench.document.scene.obstacles;
     obstacles.push(shape.into());
-    state.selection = Selection::Obstacle(obstacles.len() - 1);
+    bench.selection = Selection::Obstacle(obstacles.len() - 1);
 }
 
 /// One of every shape, where there is room for it.

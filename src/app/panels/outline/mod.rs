@@ -3,11 +3,11 @@
 
 mod add;
 
-use super::row::{self, Standing};
 use crate::app::commands::Command;
 use crate::app::look::{Tokens, colour, icon, icon_font, icons, theme_of};
-use crate::app::state::{Hovered, Selection, State};
+use crate::app::widgets::row::{self, Standing};
 use crate::app::words;
+use crate::app::workbench::{Hovered, Selection, Workbench};
 use crate::equilibrium::Class;
 use crate::scene::Scene;
 use eframe::egui::{
@@ -15,9 +15,16 @@ use eframe::egui::{
     ScrollArea, Sense, Stroke, TextEdit, Ui, Vec2, WidgetInfo, vec2,
 };
 
+/// What the outline keeps from frame to frame.
+#[derive(Debug, Default)]
+pub struct Outline {
+    /// The obstacle that is being renamed.
+    renaming: Option<Renaming>,
+}
+
 /// A name while it is being written.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Renaming {
+struct Renaming {
     index: usize,
     text: String,
     /// Whether the field has had the focus yet.
@@ -25,18 +32,18 @@ pub struct Renaming {
 }
 
 /// Shows the outline, as high as its rows but at most so many points.
-pub fn show(ui: &mut Ui, state: &mut State, most: f32) {
+pub fn show(ui: &mut Ui, outline: &mut Outline, bench: &mut Workbench, most: f32) {
     ui.spacing_mut().item_spacing.y = 2.0;
-    robot(ui, state);
-    besides(ui, state);
+    robot(ui, outline, bench);
+    besides(ui, outline, bench);
     ui.add_space(8.0);
-    head(ui, state);
-    let count = state.document.scene.obstacles.len();
+    head(ui, bench);
+    let count = bench.document.scene.obstacles.len();
     if count == 0 {
-        empty(ui, state);
+        empty(ui, bench);
         return;
     }
-    let shares = shares(state);
+    let shares = shares(bench);
     let height = row::height(ui);
     ScrollArea::vertical()
         .id_salt("obstacles")
@@ -46,10 +53,16 @@ pub fn show(ui: &mut Ui, state: &mut State, most: f32) {
             let pitch = height + ui.spacing().item_spacing.y;
             let top = ui.max_rect().top() - rows.start as f32 * pitch;
             for index in rows {
-                obstacle(ui, state, index, shares.get(index).copied().flatten());
+                obstacle(
+                    ui,
+                    outline,
+                    bench,
+                    index,
+                    shares.get(index).copied().flatten(),
+                );
             }
-            if let Selection::Obstacle(index) = state.selection
-                && state.selection != state.panels.inspected
+            if let Selection::Obstacle(index) = bench.selection
+                && bench.selection != bench.inspected
             {
                 // Chosen elsewhere, or by the keyboard: where is it?
                 let at = egui::pos2(ui.max_rect().left(), top + index as f32 * pitch);
@@ -59,41 +72,41 @@ pub fn show(ui: &mut Ui, state: &mut State, most: f32) {
         });
 }
 
-fn head(ui: &mut Ui, state: &mut State) {
+fn head(ui: &mut Ui, bench: &mut Workbench) {
     ui.horizontal(|ui| {
         row::heading(ui, "Obstacles");
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            add::menu(ui, state);
+            add::menu(ui, bench);
         });
     });
 }
 
-fn empty(ui: &mut Ui, state: &mut State) {
+fn empty(ui: &mut Ui, bench: &mut Workbench) {
     let muted = Tokens::in_ui(ui).muted;
     let text = "Nothing stands around the robot. Add an obstacle and drag it against the robot.";
     ui.add(egui::Label::new(RichText::new(text).color(muted)).wrap());
     ui.add_space(8.0);
     if ui.button("Add a disc").clicked() {
-        add::disc(state);
+        add::disc(bench);
     }
 }
 
-fn robot(ui: &mut Ui, state: &mut State) {
+fn robot(ui: &mut Ui, outline: &mut Outline, bench: &mut Workbench) {
     let standing = Standing {
-        selected: state.selection == Selection::Robot,
-        lit: matches!(state.hovered, Hovered::Node(_)),
+        selected: bench.selection == Selection::Robot,
+        lit: matches!(bench.hovered, Hovered::Node(_)),
     };
     let response = row::row(ui, row_id(Selection::Robot), "Robot", standing);
     contents(ui, response.rect, icons::ROBOT, "Robot");
     if response.clicked() {
-        choose(&response, state, Selection::Robot);
+        choose(&response, bench, Selection::Robot);
     }
-    keys(ui, &response, state, Selection::Robot);
+    keys(ui, &response, outline, bench, Selection::Robot);
 }
 
 /// What there is besides the robot and its obstacles.
-fn besides(ui: &mut Ui, state: &mut State) {
-    let scene = &state.document.scene;
+fn besides(ui: &mut Ui, outline: &mut Outline, bench: &mut Workbench) {
+    let scene = &bench.document.scene;
     let rows = [
         (
             scene.measured.is_some(),
@@ -110,37 +123,42 @@ fn besides(ui: &mut Ui, state: &mut State) {
     ];
     for (_, this, glyph, name) in rows.into_iter().filter(|(there, ..)| *there) {
         let standing = Standing {
-            selected: state.selection == this,
+            selected: bench.selection == this,
             lit: false,
         };
         let response = row::row(ui, row_id(this), name, standing);
         contents(ui, response.rect, glyph, name);
         if response.clicked() {
-            choose(&response, state, this);
+            choose(&response, bench, this);
         }
-        keys(ui, &response, state, this);
+        keys(ui, &response, outline, bench, this);
     }
 }
 
-fn obstacle(ui: &mut Ui, state: &mut State, index: usize, share: Option<f64>) {
-    let Some(found) = state.document.scene.obstacles.get(index) else {
+fn obstacle(
+    ui: &mut Ui,
+    outline: &mut Outline,
+    bench: &mut Workbench,
+    index: usize,
+    share: Option<f64>,
+) {
+    let Some(found) = bench.document.scene.obstacles.get(index) else {
         return;
     };
     let glyph = words::shape_icon(&found.shape);
     let name = words::obstacle(index, found);
-    let is_renamed = state
-        .panels
+    let is_renamed = outline
         .renaming
         .as_ref()
         .is_some_and(|it| it.index == index);
     if is_renamed {
-        rename(ui, state, glyph);
+        rename(ui, outline, bench, glyph);
         return;
     }
     let this = Selection::Obstacle(index);
     let standing = Standing {
-        selected: state.selection == this,
-        lit: state.hovered == Hovered::Obstacle(index),
+        selected: bench.selection == this,
+        lit: bench.hovered == Hovered::Obstacle(index),
     };
     let response = row::row(ui, row_id(this), &name, standing);
     contents(ui, response.rect, glyph, &name);
@@ -148,23 +166,23 @@ fn obstacle(ui: &mut Ui, state: &mut State, index: usize, share: Option<f64>) {
         presses(ui, &response, share);
     }
     if response.hovered() {
-        state.hovering = Hovered::Obstacle(index);
+        bench.hovering = Hovered::Obstacle(index);
     }
     if response.double_clicked() {
-        begin(state, index);
+        begin(outline, bench, index);
     } else if response.clicked() {
-        choose(&response, state, this);
+        choose(&response, bench, this);
     }
     if response.secondary_clicked() {
-        state.selection = this;
+        bench.selection = this;
     }
-    response.context_menu(|ui| menu(ui, state, index));
-    keys(ui, &response, state, this);
+    response.context_menu(|ui| menu(ui, outline, bench, index));
+    keys(ui, &response, outline, bench, this);
 }
 
-fn menu(ui: &mut Ui, state: &mut State, index: usize) {
+fn menu(ui: &mut Ui, outline: &mut Outline, bench: &mut Workbench, index: usize) {
     if ui.button("Rename").clicked() {
-        begin(state, index);
+        begin(outline, bench, index);
         ui.close();
     }
     for command in [Command::Duplicate, Command::Delete] {
@@ -173,15 +191,15 @@ fn menu(ui: &mut Ui, state: &mut State, index: usize) {
         let keys = keys.map_or(String::new(), |keys| ui.ctx().format_shortcut(&keys));
         let item = Button::new(entry.title).shortcut_text(keys);
         if ui.add(item).clicked() {
-            state.selection = Selection::Obstacle(index);
-            state.commands.push(command);
+            bench.selection = Selection::Obstacle(index);
+            bench.commands.push(command);
             ui.close();
         }
     }
 }
 
-fn choose(response: &Response, state: &mut State, selection: Selection) {
-    state.selection = selection;
+fn choose(response: &Response, bench: &mut Workbench, selection: Selection) {
+    bench.selection = selection;
     response.request_focus();
 }
 
@@ -224,7 +242,13 @@ fn presses(ui: &mut Ui, response: &Response, share: f64) {
 }
 
 /// The arrow keys, and those that act on a row.
-fn keys(ui: &Ui, response: &Response, state: &mut State, this: Selection) {
+fn keys(
+    ui: &Ui,
+    response: &Response,
+    outline: &mut Outline,
+    bench: &mut Workbench,
+    this: Selection,
+) {
     if !response.has_focus() {
         return;
     }
@@ -234,7 +258,7 @@ fn keys(ui: &Ui, response: &Response, state: &mut State, this: Selection) {
     };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
-    let rows = rows(&state.document.scene);
+    let rows = rows(&bench.document.scene);
     let last = rows.len() - 1;
     let place = rows.iter().position(|row| *row == this).unwrap_or(0);
     let to = if pressed(Key::ArrowDown) {
@@ -249,12 +273,12 @@ fn keys(ui: &Ui, response: &Response, state: &mut State, this: Selection) {
         if let Selection::Obstacle(index) = this
             && pressed(Key::F2)
         {
-            begin(state, index);
+            begin(outline, bench, index);
         }
         return;
     };
-    state.selection = rows[to];
-    ui.memory_mut(|memory| memory.request_focus(row_id(state.selection)));
+    bench.selection = rows[to];
+    ui.memory_mut(|memory| memory.request_focus(row_id(bench.selection)));
 }
 
 /// What is listed, from top to bottom; never nothing.
@@ -267,11 +291,11 @@ fn rows(scene: &Scene) -> Vec<Selection> {
     first.chain(besides).chain(obstacles).collect()
 }
 
-fn begin(state: &mut State, index: usize) {
-    let found = state.document.scene.obstacles.get(index);
+fn begin(outline: &mut Outline, bench: &mut Workbench, index: usize) {
+    let found = bench.document.scene.obstacles.get(index);
     if let Some(obstacle) = found {
-        state.selection = Selection::Obstacle(index);
-        state.panels.renaming = Some(Renaming {
+        bench.selection = Selection::Obstacle(index);
+        outline.renaming = Some(Renaming {
             index,
             text: obstacle.name.clone().unwrap_or_default(),
             begun: false,
@@ -280,8 +304,8 @@ fn begin(state: &mut State, index: usize) {
 }
 
 /// A row whose name is being written.
-fn rename(ui: &mut Ui, state: &mut State, glyph: &str) {
-    let Some(mut renaming) = state.panels.renaming.take() else {
+fn rename(ui: &mut Ui, outline: &mut Outline, bench: &mut Workbench, glyph: &str) {
+    let Some(mut renaming) = outline.renaming.take() else {
         return;
     };
     let size = vec2(ui.available_width(), row::height(ui));
@@ -298,16 +322,16 @@ fn rename(ui: &mut Ui, state: &mut State, glyph: &str) {
     if !renaming.begun {
         renaming.begun = true;
         response.request_focus();
-        state.panels.renaming = Some(renaming);
+        outline.renaming = Some(renaming);
         return;
     }
     let given_up = ui.input(|input| input.key_pressed(Key::Escape));
     if response.has_focus() && !given_up {
-        state.panels.renaming = Some(renaming);
+        outline.renaming = Some(renaming);
         return;
     }
     let index = renaming.index;
-    if !given_up && let Some(obstacle) = state.document.scene.obstacles.get_mut(index) {
+    if !given_up && let Some(obstacle) = bench.document.scene.obstacles.get_mut(index) {
         let name = renaming.text.trim();
         obstacle.name = (!name.is_empty()).then(|| name.to_owned());
     }
@@ -317,10 +341,10 @@ fn rename(ui: &mut Ui, state: &mut State, glyph: &str) {
 
 /// By obstacle: how hard the robot presses on it, relative to the hardest
 /// pressed; `None` where it does not.
-fn shares(state: &State) -> Vec<Option<f64>> {
-    let scene: &Scene = &state.document.scene;
+fn shares(bench: &Workbench) -> Vec<Option<f64>> {
+    let scene: &Scene = &bench.document.scene;
     let mut shares = vec![None; scene.obstacles.len()];
-    let Some(solution) = state.live.solution() else {
+    let Some(solution) = bench.live.solution() else {
         return shares;
     };
     let pressing = solution.contacts.iter();

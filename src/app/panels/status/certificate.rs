@@ -4,8 +4,9 @@
 use super::plot;
 use super::verdict::Verdict;
 use crate::app::look::{Tokens, icon, icons, semibold};
-use crate::app::state::State;
-use crate::app::{panels::row, words};
+use crate::app::widgets::row;
+use crate::app::words;
+use crate::app::workbench::Workbench;
 use crate::equilibrium::{Caution, Certificate, Solution};
 use crate::scene::{Candidates, Scene};
 use crate::solver::Iteration;
@@ -19,12 +20,11 @@ use eframe::egui::{
 /// The window's width, in points.
 const WIDTH: f32 = 440.0;
 
-/// Shows the certificate's window, if it is open.
-pub fn show(ui: &mut Ui, state: &mut State) {
-    let mut open = state.panels.certificate;
+/// Shows the certificate's window, if it is `open`.
+pub fn show(ui: &mut Ui, open: &mut bool, bench: &mut Workbench) {
     let screen = ui.ctx().content_rect();
     let window = Window::new("Certificate")
-        .open(&mut open)
+        .open(open)
         .collapsible(false)
         .resizable([false, true])
         .default_width(WIDTH)
@@ -35,19 +35,18 @@ pub fn show(ui: &mut Ui, state: &mut State) {
         ui.set_width(WIDTH.min(screen.width() - 64.0));
         ScrollArea::vertical()
             .auto_shrink([false, true])
-            .show(ui, |ui| contents(ui, state));
+            .show(ui, |ui| contents(ui, bench));
     });
-    state.panels.certificate = open;
 }
 
-fn contents(ui: &mut Ui, state: &mut State) {
-    let Some(solution) = state.live.solution() else {
+fn contents(ui: &mut Ui, bench: &mut Workbench) {
+    let Some(solution) = bench.live.solution() else {
         ui.label("The solver is looking for the robot's shape.");
         return;
     };
-    let scene = &state.document.scene;
-    verdict(ui, state, solution, scene);
-    let wants_body = cautions(ui, state.live.cautions(), scene);
+    let scene = &bench.document.scene;
+    verdict(ui, bench, solution, scene);
+    let wants_body = cautions(ui, bench.live.cautions(), scene);
     ui.add_space(16.0);
     row::heading(ui, "Optimality, recomputed from the node positions");
     ui.add_space(4.0);
@@ -66,7 +65,7 @@ fn contents(ui: &mut Ui, state: &mut State) {
         events(ui, solution, scene);
     }
     if wants_body {
-        let contact = &mut state.document.scene.contact;
+        let contact = &mut bench.document.scene.contact;
         contact.candidates = Candidates::Body;
         contact.listed.clear();
     }
@@ -91,8 +90,8 @@ fn cautions(ui: &mut Ui, cautions: &[Caution], scene: &Scene) -> bool {
             .clicked()
 }
 
-fn verdict(ui: &mut Ui, state: &State, solution: &Solution, scene: &Scene) {
-    let verdict = Verdict::of(&state.live);
+fn verdict(ui: &mut Ui, bench: &Workbench, solution: &Solution, scene: &Scene) {
+    let verdict = Verdict::of(&bench.live);
     let ink = verdict.colour(&Tokens::in_ui(ui));
     ui.horizontal(|ui| {
         ui.label(icon(verdict.icon()).color(ink));

@@ -8,10 +8,10 @@ mod verdict;
 pub use certificate::show as certificate;
 pub use verdict::Verdict;
 
-use super::row;
 use crate::app::look::{Tokens, icon_font, icons};
-use crate::app::state::State;
+use crate::app::widgets::row;
 use crate::app::words;
+use crate::app::workbench::{Live, Workbench};
 use crate::equilibrium::Solution;
 use crate::view::Quantity;
 use eframe::egui::{Align2, CornerRadius, FontId, Role, Sense, Ui, WidgetInfo, pos2, vec2};
@@ -29,6 +29,15 @@ const TIME: f32 = 60.0;
 /// Bars that are narrower than this, in points, have no room for the numbers.
 const ROOMY: f32 = 900.0;
 
+/// What the chip and the certificate keep from frame to frame.
+#[derive(Debug, Default)]
+pub struct StatusChip {
+    /// Whether the certificate is open.
+    pub certificate: bool,
+    /// What the chip told last, and when.
+    told: Option<(Verdict, f64)>,
+}
+
 /// The chip's width, in points, in a bar of some width.
 pub fn width(bar: f32) -> f32 {
     if bar < ROOMY {
@@ -39,15 +48,15 @@ pub fn width(bar: f32) -> f32 {
 }
 
 /// Shows the chip at the right end of a bar of some width.
-pub fn show(ui: &mut Ui, state: &mut State, bar: f32) {
-    let verdict = steady(ui, state);
+pub fn show(ui: &mut Ui, chip: &mut StatusChip, bench: &mut Workbench, bar: f32) {
+    let verdict = steady(ui, chip, &bench.live);
     let size = vec2(width(bar), ui.spacing().interact_size.y);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let tokens = Tokens::in_ui(ui);
     let painter = ui.painter();
     if response.is_pointer_button_down_on() {
         painter.rect_filled(rect, CornerRadius::same(6), tokens.held);
-    } else if response.hovered() || state.panels.certificate {
+    } else if response.hovered() || chip.certificate {
         painter.rect_filled(rect, CornerRadius::same(6), tokens.hover);
     }
     row::focus(ui, &response);
@@ -60,21 +69,21 @@ pub fn show(ui: &mut Ui, state: &mut State, bar: f32) {
     written(8.0, verdict.icon(), icon_font(16.0));
     let word = written(28.0, verdict.word(), FontId::proportional(14.0));
     let mut taken = word.right();
-    if !state.live.cautions().is_empty() {
+    if !bench.live.cautions().is_empty() {
         let sign = painter.layout_no_wrap(icons::WARNING.into(), icon_font(14.0), tokens.warning);
         let right = (rect.left() + WORD - 8.0).max(taken + 4.0 + sign.size().x);
         let place = Align2::RIGHT_CENTER.anchor_size(pos2(right, middle), sign.size());
         painter.galley(place.min, sign, tokens.warning);
         taken = right;
     }
-    if let Some(solution) = state.live.solution()
+    if let Some(solution) = bench.live.solution()
         && bar >= ROOMY
     {
         let mut x = rect.left() + WORD;
         for (text, width) in [
             (residual(solution), RESIDUAL),
             (format!("{} it", solution.iterations), ITERATIONS),
-            (time(state.live.time()), TIME),
+            (time(bench.live.time()), TIME),
         ] {
             x += width;
             let font = FontId::proportional(12.0);
@@ -90,16 +99,16 @@ pub fn show(ui: &mut Ui, state: &mut State, bar: f32) {
         let told = format!("Status: {}", verdict.word());
         WidgetInfo::labeled(Role::Button, ui.is_enabled(), told)
     });
-    if response.on_hover_text(tip(state, verdict)).clicked() {
-        state.panels.certificate ^= true;
+    if response.on_hover_text(tip(bench, verdict)).clicked() {
+        chip.certificate ^= true;
     }
 }
 
 /// The verdict, or what it was before while a solve has only just begun.
-fn steady(ui: &Ui, state: &mut State) -> Verdict {
+fn steady(ui: &Ui, chip: &mut StatusChip, live: &Live) -> Verdict {
     let now = ui.input(|input| input.time);
-    let verdict = Verdict::of(&state.live);
-    let told = &mut state.panels.told;
+    let verdict = Verdict::of(live);
+    let told = &mut chip.told;
     if verdict != Verdict::Solving {
         *told = Some((verdict, now));
         return verdict;
@@ -114,22 +123,22 @@ fn steady(ui: &Ui, state: &mut State) -> Verdict {
     }
 }
 
-fn tip(state: &State, verdict: Verdict) -> String {
-    let Some(solution) = state.live.solution() else {
+fn tip(bench: &Workbench, verdict: Verdict) -> String {
+    let Some(solution) = bench.live.solution() else {
         return "The solver is looking for the robot's shape".to_owned();
     };
     let what = match verdict {
         Verdict::Solving => "The solver is looking for the robot's shape.".to_owned(),
-        _ => words::outcome(solution, &state.document.scene),
+        _ => words::outcome(solution, &bench.document.scene),
     };
-    let cautions = state.live.cautions().iter();
-    let cautions = cautions.map(|one| format!("\n{}", words::caution(one, &state.document.scene)));
+    let cautions = bench.live.cautions().iter();
+    let cautions = cautions.map(|one| format!("\n{}", words::caution(one, &bench.document.scene)));
     let cautions: String = cautions.collect();
     format!(
         "{what}{cautions}\nKKT residual {}, {} iterations, {}\nClick for the certificate",
         residual(solution),
         solution.iterations,
-        time(state.live.time())
+        time(bench.live.time())
     )
 }
 

@@ -1,7 +1,7 @@
 //! What is to be thought of the shape on the screen, in a word.
 
-use crate::app::live::Live;
 use crate::app::look::{Tokens, icons};
+use crate::app::workbench::Live;
 use crate::equilibrium::Status;
 use crate::view::outcome;
 use eframe::egui::Color32;

@@ -1,11 +1,10 @@
 //! What lies over the picture: the outline of what is selected, the scale bar
 //! and the legend of the contact scale.
 
-use super::flattened;
-use crate::app::live::Live;
 use crate::app::look::{Tokens, contact_scale};
-use crate::app::state::Selection;
+use crate::app::paint::{flattened, to_screen};
 use crate::app::words;
+use crate::app::workbench::{Live, Selection};
 use crate::units::millimetres;
 use crate::view::{Drawing, Frame, Geometry, Quantity, Role, Theme, clip_half_plane, one_two_five};
 use eframe::egui::{Align2, FontId, Painter, Rect, Shape, Stroke, pos2, vec2};
@@ -39,7 +38,7 @@ pub fn outline_of(painter: &Painter, live: &Live, index: usize, frame: &Frame, s
                 let shown = frame.shown().grown(8.0 / frame.scale);
                 let clipped = clip_half_plane(*point, *normal, &shown.corners());
                 if let Some(surface) = clipped.surface {
-                    let ends = surface.map(|end| super::to_screen(frame, end));
+                    let ends = surface.map(|end| to_screen(frame, end));
                     painter.line_segment(ends, stroke);
                 }
             }
@@ -69,7 +68,7 @@ pub fn halo(painter: &Painter, live: &Live, frame: &Frame, theme: Theme) {
 pub fn tip_ring(painter: &Painter, live: &Live, frame: &Frame, tokens: &Tokens) {
     let tip = live.solution().and_then(|solution| solution.nodes.last());
     if let Some(tip) = tip {
-        let at = super::to_screen(frame, tip.position);
+        let at = to_screen(frame, tip.position);
         painter.circle_stroke(at, 9.0, Stroke::new(2.0, tokens.accent));
     }
 }

@@ -2,10 +2,12 @@
 //! a solver thread behind it.
 
 use super::backend::{Inline, SolverBackend, Thread};
-use super::files::autosave::Stored;
-use super::files::{faults_of, scene_from};
+use super::files::scene_from;
 use super::platform::Native;
-use super::{Preferences, Sinew};
+use super::window::Sinew;
+use super::window::stored::Stored;
+use super::words::faults_of;
+use super::workbench::Preferences;
 use crate::report::on_a_terminal;
 use crate::scene::Scene;
 use eframe::egui::{Context, ViewportBuilder, vec2};

@@ -1,10 +1,11 @@
 //! The fields of the inspector: a name, a value that can be typed or dragged,
 //! and under it whatever was wrong with what was typed.
 
+use super::row;
+use super::typed::Kind;
 use crate::app::look::{Tokens, icon, icons};
-use crate::app::panels::row;
-use crate::app::panels::typed::Kind;
 use crate::app::words;
+use crate::app::workbench::Complaint;
 use crate::math::unsigned_zero;
 use crate::scene::SceneError;
 use crate::scene::limits::{Limits, shown};
@@ -19,15 +20,6 @@ use std::cell::RefCell;
 const UNIT: f32 = 20.0;
 /// Width of number fields, in points.
 const NUMBER: f32 = 80.0;
-
-/// What was wrong with what was typed last.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Complaint {
-    /// The field.
-    path: String,
-    /// A sentence.
-    text: String,
-}
 
 /// A number of the scene, as a field.
 pub struct Number<'a> {

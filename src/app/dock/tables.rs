@@ -1,11 +1,14 @@
 //! Tables of what touches and of what stands around, for the dock. A row
 //! lights up with its twin on the canvas; clicking it selects the obstacle.
 
-use super::inspector::{Number, with_form};
-use super::row::{self, Standing};
 use crate::app::look::{Tokens, colour, theme_of};
-use crate::app::state::{Hovered, Selection, State};
+use crate::app::widgets::{
+    Number,
+    row::{self, Standing},
+    with_form,
+};
 use crate::app::words;
+use crate::app::workbench::{Hovered, Selection, Workbench};
 use crate::equilibrium::Class;
 use crate::forces::Statics;
 use crate::model::part_name;
@@ -121,8 +124,8 @@ fn table(
 
 /// The contacts: what presses where, and how hard. With forces where the
 /// bending stiffness is known; `forces` are those of the live solution.
-pub fn contacts(ui: &mut Ui, state: &mut State, forces: Option<&Statics>) {
-    let count = state.live.solution().map_or(0, |it| it.contacts.len());
+pub fn contacts(ui: &mut Ui, bench: &mut Workbench, forces: Option<&Statics>) {
+    let count = bench.live.solution().map_or(0, |it| it.contacts.len());
     if count == 0 {
         ui.weak("Nothing touches the robot.");
         return;
@@ -138,18 +141,18 @@ pub fn contacts(ui: &mut Ui, state: &mut State, forces: Option<&Statics>) {
         columns.push(column("Force, g", 64.0, 0.0, Align::Max));
     }
     table(ui, "contacts", &columns, count, |ui, places, index| {
-        contact(ui, state, forces, places, index);
+        contact(ui, bench, forces, places, index);
     });
 }
 
 fn contact(
     ui: &mut Ui,
-    state: &mut State,
+    bench: &mut Workbench,
     forces: Option<&Statics>,
     places: &Columns,
     index: usize,
 ) {
-    let Some(shape) = state.live.shape() else {
+    let Some(shape) = bench.live.shape() else {
         return;
     };
     let Some(contact) = shape.solution.contacts.get(index) else {
@@ -160,15 +163,15 @@ fn contact(
         .map(|it| it.multiplier)
         .fold(f64::MIN_POSITIVE, f64::max);
     let part = words::capital(&part_name(
-        state.live.problem().robot(),
+        bench.live.problem().robot(),
         contact.line,
         contact.node,
     ));
     let obstacle = contact.obstacle;
-    let name = words::obstacle_of(&state.document.scene, obstacle);
+    let name = words::obstacle_of(&bench.document.scene, obstacle);
     let standing = Standing {
-        selected: state.selection == Selection::Obstacle(obstacle),
-        lit: state.hovered == Hovered::Contact(index),
+        selected: bench.selection == Selection::Obstacle(obstacle),
+        lit: bench.hovered == Hovered::Contact(index),
     };
     let class = match contact.class {
         Class::Pressing => "presses",
@@ -191,10 +194,10 @@ fn contact(
         places.text(ui, rect, 5, force.unwrap_or_default());
     }
     if response.hovered() {
-        state.hovering = Hovered::Contact(index);
+        bench.hovering = Hovered::Contact(index);
     }
     if response.clicked() {
-        state.selection = Selection::Obstacle(obstacle);
+        bench.selection = Selection::Obstacle(obstacle);
     }
 }
 
@@ -214,8 +217,8 @@ fn bar(ui: &Ui, cell: Rect, share: f64) {
 }
 
 /// The obstacles: what stands where, and whether the robot presses on it.
-pub fn obstacles(ui: &mut Ui, state: &mut State) {
-    let count = state.document.scene.obstacles.len();
+pub fn obstacles(ui: &mut Ui, bench: &mut Workbench) {
+    let count = bench.document.scene.obstacles.len();
     if count == 0 {
         ui.weak("Nothing stands around the robot.");
         return;
@@ -229,19 +232,19 @@ pub fn obstacles(ui: &mut Ui, state: &mut State) {
         column("Contact", 64.0, 0.0, Align::Min),
     ];
     table(ui, "obstacles", &columns, count, |ui, places, index| {
-        obstacle(ui, state, places, index);
+        obstacle(ui, bench, places, index);
     });
 }
 
-fn obstacle(ui: &mut Ui, state: &mut State, places: &Columns, index: usize) {
-    let Some(found) = state.document.scene.obstacles.get(index) else {
+fn obstacle(ui: &mut Ui, bench: &mut Workbench, places: &Columns, index: usize) {
+    let Some(found) = bench.document.scene.obstacles.get(index) else {
         return;
     };
     let name = words::obstacle(index, found);
     let this = Selection::Obstacle(index);
     let standing = Standing {
-        selected: state.selection == this,
-        lit: state.hovered == Hovered::Obstacle(index),
+        selected: bench.selection == this,
+        lit: bench.hovered == Hovered::Obstacle(index),
     };
     let response = row::row(ui, Id::unique(("obstacle row", index)), &name, standing);
     let rect = response.rect;
@@ -251,8 +254,8 @@ fn obstacle(ui: &mut Ui, state: &mut State, places: &Columns, index: usize) {
         places.text(ui, rect, 4, size(found));
     }
     let cells = [2, 3, 4].map(|column| places.cell(rect, column).shrink2(vec2(0.0, 2.0)));
-    let edited = numbers(ui, state, cells, index, &name);
-    let contacts = state.live.solution().map_or(&[][..], |it| &it.contacts);
+    let edited = numbers(ui, bench, cells, index, &name);
+    let contacts = bench.live.solution().map_or(&[][..], |it| &it.contacts);
     let mut on = contacts.iter().filter(|it| it.obstacle == index).peekable();
     let touches = on.peek().is_some();
     let word = match on.any(|it| it.class == Class::Pressing) {
@@ -262,11 +265,11 @@ fn obstacle(ui: &mut Ui, state: &mut State, places: &Columns, index: usize) {
     };
     places.text(ui, rect, 5, word);
     if response.hovered() {
-        state.hovering = Hovered::Obstacle(index);
+        bench.hovering = Hovered::Obstacle(index);
     }
     if response.clicked() || edited {
         // What is wrong with a number is told in the inspector.
-        state.selection = this;
+        bench.selection = this;
     }
 }
 
@@ -274,13 +277,13 @@ fn obstacle(ui: &mut Ui, state: &mut State, places: &Columns, index: usize) {
 /// them is in use.
 fn numbers(
     ui: &mut Ui,
-    state: &mut State,
+    bench: &mut Workbench,
     [x, y, size]: [Rect; 3],
     index: usize,
     name: &str,
 ) -> bool {
     let mut used = false;
-    with_form(state, |scene, form| {
+    with_form(bench, |scene, form| {
         let Some(obstacle) = scene.obstacles.get_mut(index) else {
             return;
         };

@@ -1,7 +1,7 @@
 //! The live solution: what was asked of the solver, what it has answered, and
 //! the drawing of it.
 
-use super::backend::SolverBackend;
+use crate::app::backend::SolverBackend;
 use crate::equilibrium::{Caution, Event, Occurrence, Solution, Status};
 use crate::explore::Path;
 use crate::geometry::Vector;
@@ -237,8 +237,8 @@ impl Live {
 
 #[cfg(test)]
 mod tests {
-    use super::super::backend::{Found, Thread};
     use super::*;
+    use crate::app::backend::{Found, Thread};
     use crate::scene::Scene;
     use crate::solving::{Job, Work};
     use std::cell::RefCell;
@@ -249,7 +249,7 @@ mod tests {
     const SPAN: (f64, f64) = (0.0, 0.012);
 
     fn problem(edit: impl FnOnce(&mut Scene)) -> Problem {
-        let text = include_str!("../../assets/scenes/one-disc.toml");
+        let text = include_str!("../../../assets/scenes/one-disc.toml");
         let mut scene = Scene::from_toml(text).unwrap();
         edit(&mut scene);
         Problem::new(&scene).unwrap()

@@ -1,59 +1,17 @@
 //! Where the photograph lies: painted behind everything, dragged while it is
 //! selected, and brought to scale by two points whose distance is known.
 
-use super::{Photograph, Photos};
+use super::view::Canvas;
 use crate::app::look::Tokens;
-use crate::app::state::{Selection, State};
+use crate::app::paint::{to_screen, to_world};
+use crate::app::workbench::{Photograph, Photos, Selection, Workbench, photo_centre};
 use crate::geometry::Vector;
-use crate::scene::{Photo, limits};
+use crate::scene::Photo;
 use crate::units::{metres, millimetres, radians};
 use crate::view::{Frame, Theme};
 use eframe::egui::{
     Color32, CursorIcon, Mesh, Painter, PointerButton, Pos2, Response, Shape, Stroke, Vec2, pos2,
 };
-
-/// The scale tool: two points of the photograph, and how far apart they are.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Scaling {
-    /// The points, in metres; at most two.
-    pub points: Vec<Vector>,
-    /// Their distance, in mm.
-    pub distance_mm: f64,
-}
-
-impl Scaling {
-    /// Takes a point; with the second, the distance is what it is now.
-    fn take(&mut self, point: Vector) {
-        if self.points.len() >= 2 {
-            self.points.clear();
-        }
-        self.points.push(point);
-        if let [a, b] = self.points[..] {
-            self.distance_mm = millimetres((b - a).norm());
-        }
-    }
-
-    /// The photograph with its points at their distance: the first stays.
-    /// `None` where there are no two points, or it would become too small or
-    /// large.
-    pub fn applied(&self, photo: &Photo) -> Option<Photo> {
-        let [a, b] = self.points[..] else {
-            return None;
-        };
-        let factor = metres(self.distance_mm) / (b - a).norm();
-        let width_mm = factor * photo.width_mm;
-        let centre = a + factor * (centre_of(photo) - a);
-        (factor > 0.0 && limits::PHOTO_WIDTH.contain(width_mm)).then(|| Photo {
-            width_mm,
-            center_mm: [millimetres(centre.x), millimetres(centre.y)],
-            ..photo.clone()
-        })
-    }
-}
-
-fn centre_of(photo: &Photo) -> Vector {
-    Vector::new(metres(photo.center_mm[0]), metres(photo.center_mm[1]))
-}
 
 /// The corners in metres: upper left, upper right, lower right, lower left.
 fn corners(photo: &Photo, ratio: f64) -> [Vector; 4] {
@@ -61,7 +19,7 @@ fn corners(photo: &Photo, ratio: f64) -> [Vector; 4] {
     let (sin, cos) = radians(photo.rotation_deg).sin_cos();
     [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| {
         let (x, y) = (across * x, across * ratio * y);
-        centre_of(photo) + Vector::new(cos * x - sin * y, sin * x + cos * y)
+        photo_centre(photo) + Vector::new(cos * x - sin * y, sin * x + cos * y)
     })
 }
 
@@ -74,11 +32,6 @@ fn holds(photo: &Photo, ratio: f64, point: Vector) -> bool {
         (0.0..=1.0).contains(&share)
     };
     within(corners[2] - corners[3]) && within(corners[0] - corners[3])
-}
-
-fn to_screen(frame: &Frame, point: Vector) -> Pos2 {
-    let at = frame.to_screen(point);
-    pos2(at.x as f32, at.y as f32)
 }
 
 /// Paints the photograph.
@@ -119,11 +72,11 @@ pub fn paint(painter: &Painter, photos: &Photos, photo: Option<&Photo>, frame: &
 
 /// Paints the line around the selected photograph, and the points of the
 /// scale tool.
-pub fn outline(painter: &Painter, state: &State, frame: &Frame, theme: Theme) {
+pub fn outline(painter: &Painter, bench: &Workbench, frame: &Frame, theme: Theme) {
     let tokens = Tokens::of(theme);
-    let photos = &state.photos;
-    if let Some(photo) = &state.document.scene.photo
-        && state.selection == Selection::Photo
+    let photos = &bench.photos;
+    if let Some(photo) = &bench.document.scene.photo
+        && bench.selection == Selection::Photo
         && let Some(ratio) = photos.ratio(photo)
     {
         let mut line = corners(photo, ratio)
@@ -155,44 +108,49 @@ pub fn outline(painter: &Painter, state: &State, frame: &Frame, theme: Theme) {
 
 /// Lets the scale tool take points and the selected photograph be dragged;
 /// whether the pointer is thereby taken.
-pub fn interact(response: &Response, state: &mut State, frame: &Frame) -> bool {
+pub fn interact(
+    response: &Response,
+    canvas: &mut Canvas,
+    bench: &mut Workbench,
+    frame: &Frame,
+) -> bool {
     let Some(pointer) = response.hover_pos().or(response.interact_pointer_pos()) else {
         return false;
     };
-    let world = |at: Pos2| frame.to_world(Vector::new(f64::from(at.x), f64::from(at.y)));
-    if let Some(scaling) = &mut state.photos.scaling {
+    let world = |at: Pos2| to_world(frame, at);
+    if let Some(scaling) = &mut bench.photos.scaling {
         response.ctx.set_cursor_icon(CursorIcon::Crosshair);
         if response.clicked() {
             scaling.take(world(pointer));
         }
         return !response.dragged();
     }
-    if state.selection != Selection::Photo {
-        state.photos.held = None;
+    if bench.selection != Selection::Photo {
+        canvas.held_photo = None;
         return false;
     }
-    let Some(photo) = &mut state.document.scene.photo else {
+    let Some(photo) = &mut bench.document.scene.photo else {
         return false;
     };
     if response.drag_started_by(PointerButton::Primary) {
         let origin = response.ctx.input(|input| input.pointer.press_origin());
         let origin = world(origin.unwrap_or(pointer));
-        let ratio = match state.photos.known.get(std::path::Path::new(&photo.file)) {
+        let ratio = match bench.photos.known.get(std::path::Path::new(&photo.file)) {
             Some(Photograph::Here { size, .. }) => f64::from(size[1]) / f64::from(size[0]),
             _ => 1.0,
         };
         if holds(photo, ratio, origin) {
-            state.photos.held = Some(origin - centre_of(photo));
+            canvas.held_photo = Some(origin - photo_centre(photo));
         }
     }
-    let Some(held) = state.photos.held else {
+    let Some(held) = canvas.held_photo else {
         return false;
     };
     response.ctx.set_cursor_icon(CursorIcon::Grabbing);
     let to = world(pointer) - held;
     photo.center_mm = [millimetres(to.x), millimetres(to.y)];
     if response.drag_stopped() {
-        state.photos.held = None;
+        canvas.held_photo = None;
     }
     true
 }
@@ -209,23 +167,6 @@ mod tests {
             rotation_deg: 90.0,
             opacity: 1.0,
         }
-    }
-
-    #[test]
-    fn two_points_come_to_their_distance_and_the_first_stays() {
-        let mut scaling = Scaling::default();
-        scaling.take(Vector::new(0.01, 0.02));
-        assert!(scaling.applied(&photo()).is_none());
-        scaling.take(Vector::new(0.01, 0.05));
-        assert!((scaling.distance_mm - 30.0).abs() < 1e-12);
-        scaling.distance_mm = 60.0;
-        let scaled = scaling.applied(&photo()).unwrap();
-        assert!((scaled.width_mm - 200.0).abs() < 1e-9);
-        // The first point was the centre.
-        assert!((scaled.center_mm[0] - 10.0).abs() < 1e-9);
-        assert!((scaled.center_mm[1] - 20.0).abs() < 1e-9);
-        scaling.distance_mm = 0.0;
-        assert!(scaling.applied(&photo()).is_none());
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! The load on the cable in the place of its pull: each amounts to the other
 //! along the path, where the stiffness is known.
 
-use super::state::State;
+use super::document::Document;
+use super::live::Live;
 use crate::explore::Path;
 use crate::units::{grams, metres, millimetres, newtons};
 use std::sync::Arc;
@@ -16,9 +17,9 @@ pub struct Loads {
 
 impl Loads {
     /// `None` where the stiffness is not known, or the path not yet.
-    pub fn of(state: &State) -> Option<Self> {
-        let newtons = state.document.newtons_per_multiplier()?;
-        let path = Arc::clone(state.live.path()?);
+    pub fn of(document: &Document, live: &Live) -> Option<Self> {
+        let newtons = document.newtons_per_multiplier()?;
+        let path = Arc::clone(live.path()?);
         path.range()?;
         Some(Self { path, newtons })
     }

@@ -1,10 +1,12 @@
 //! The dock on the right: plots and tables in tabs, which can be dragged to
 //! where they are wanted.
 
+pub mod tables;
+
 use super::files;
-use super::panels::tables;
+use super::platform::Errand;
 use super::plots::{Link, Plot, PlotAction, PlotCache, PlotData};
-use super::state::{Hovered, Selection, State};
+use super::workbench::{Hovered, Playing, Selection, Workbench};
 use crate::equilibrium::Solution;
 use crate::forces::{Statics, Window};
 use crate::units::{METRES_PER_MM, millimetres};
@@ -75,17 +77,17 @@ impl Default for Dock {
 
 impl Forces {
     /// Computes the forces anew if the shape has changed.
-    fn refresh(&mut self, state: &State) {
-        let revision = Some(state.live.revision());
+    fn refresh(&mut self, bench: &Workbench) {
+        let revision = Some(bench.live.revision());
         if self.revision == revision {
             return;
         }
         self.revision = revision;
-        let stiffness = state.document.stiffness();
-        let solution = state.live.solution().filter(|_| state.live.is_settled());
+        let stiffness = bench.document.stiffness();
+        let solution = bench.live.solution().filter(|_| bench.live.is_settled());
         self.statics = stiffness
             .zip(solution)
-            .map(|(stiffness, solution)| Statics::of(state.live.problem(), solution, stiffness));
+            .map(|(stiffness, solution)| Statics::of(bench.live.problem(), solution, stiffness));
     }
 }
 
@@ -155,20 +157,17 @@ fn arranged(groups: &[Vec<Pane>]) -> Arrangement {
 }
 
 /// Shows the dock in all the room there is.
-pub fn show(ui: &mut Ui, state: &mut State) {
-    let Some(mut dock) = state.dock.take() else {
-        return;
-    };
-    dock.statics.refresh(state);
+pub fn show(ui: &mut Ui, dock: &mut Dock, bench: &mut Workbench) {
+    dock.statics.refresh(bench);
     let link = Link {
-        hovered: state.hovered,
+        hovered: bench.hovered,
         hovering: Hovered::Nothing,
         pull: None,
         window: dock.window,
         calibrate: None,
     };
     let mut shown = Shown {
-        state,
+        bench,
         cache: &mut dock.cache,
         statics: dock.statics.statics.as_ref(),
         link,
@@ -182,45 +181,42 @@ pub fn show(ui: &mut Ui, state: &mut State) {
     tree.ui(&mut shown, ui);
     let Shown { link, actions, .. } = shown;
     dock.window = link.window;
-    state.dock = Some(dock);
-    heed(state, link);
+    heed(bench, link);
     for action in actions {
-        act(state, action);
+        act(bench, action);
     }
 }
 
 /// Does what a hand did on a plot.
-fn heed(state: &mut State, link: Link) {
+fn heed(bench: &mut Workbench, link: Link) {
     if link.hovering != Hovered::Nothing {
-        state.hovering = link.hovering;
+        bench.hovering = link.hovering;
     }
     if let Some(pull) = link.pull {
-        let (least, most) = state.span_mm();
-        state.transport.stop();
-        state.document.scene.actuation.pull_mm = millimetres(pull).clamp(least, most);
+        bench.set_pull_within_span(millimetres(pull), Playing::Stops);
     }
     if let Some(index) = link.calibrate
-        && let Some(measured) = &mut state.document.scene.measured
+        && let Some(measured) = &mut bench.document.scene.measured
     {
         measured.calibration = u32::try_from(index).ok();
     }
 }
 
-fn act(state: &mut State, action: PlotAction) {
+fn act(bench: &mut Workbench, action: PlotAction) {
     match action {
         PlotAction::Save {
             name,
             extension,
             bytes,
-        } => files::export::plot(state, &name, extension, bytes),
-        PlotAction::AskStiffness => state.selection = Selection::Robot,
-        PlotAction::AskReading => files::pick(state, super::platform::Errand::Measurements),
+        } => files::export::plot(bench, &name, extension, bytes),
+        PlotAction::AskStiffness => bench.selection = Selection::Robot,
+        PlotAction::AskReading => files::pick(bench, Errand::Measurements),
     }
 }
 
 /// The panes with what they show and what is done on them.
 struct Shown<'a> {
-    state: &'a mut State,
+    bench: &'a mut Workbench,
     cache: &'a mut PlotCache,
     /// The forces, where the stiffness is known.
     statics: Option<&'a Statics>,
@@ -235,11 +231,11 @@ impl Behavior<Pane> for Shown<'_> {
             Pane::Plot(plot) => self.plot(ui, *plot),
             Pane::Contacts => {
                 ScrollArea::both().show(ui, |ui| {
-                    tables::contacts(ui, self.state, self.statics);
+                    tables::contacts(ui, self.bench, self.statics);
                 });
             }
             Pane::Obstacles => {
-                ScrollArea::both().show(ui, |ui| tables::obstacles(ui, self.state));
+                ScrollArea::both().show(ui, |ui| tables::obstacles(ui, self.bench));
             }
         });
         UiResponse::None
@@ -318,9 +314,9 @@ impl Behavior<Pane> for Shown<'_> {
 impl Shown<'_> {
     fn plot(&mut self, ui: &mut Ui, plot: Plot) {
         let nothing = Solution::default();
-        let live = &self.state.live;
+        let live = &self.bench.live;
         let data = PlotData {
-            scene: &self.state.document.scene,
+            scene: &self.bench.document.scene,
             problem: live.problem(),
             solution: live.solution().unwrap_or(&nothing),
             path: live.path().map(|path| &**path),

@@ -2,12 +2,11 @@
 //! Each frame starts from the scene as it was when the drag began, so that
 //! rounding does not add up and giving up restores it exactly.
 
-use super::handles::{Handle, drag, handles, moved, neat, vertices};
 use super::hit::{self, Target};
-use super::place;
 use super::pull::TipMap;
-use super::tools::Tool;
-use crate::app::state::{Selection, State};
+use super::view::Canvas;
+use crate::app::shapes::{self, Handle, Tool, drag, handles, moved, neat, vertices};
+use crate::app::workbench::{Playing, Selection, Workbench, pull_mm_of};
 use crate::geometry::Vector;
 use crate::scene::{Obstacle, Scene, Shape};
 use crate::units::{METRES_PER_MM, millimetres};
@@ -16,7 +15,7 @@ use eframe::egui::Modifiers;
 
 /// A drag that is going on.
 #[derive(Clone, Debug)]
-pub struct Gesture {
+pub struct Drag {
     /// What is dragged.
     pub what: Dragged,
     /// The scene before it.
@@ -45,65 +44,71 @@ pub enum Dragged {
     Tip(TipMap, f64),
 }
 
-impl Gesture {
+impl Drag {
     /// A drag of the view.
-    pub fn view(state: &State) -> Self {
-        Self::new(state, Dragged::View, Vector::zeros())
+    pub fn view(bench: &Workbench) -> Self {
+        Self::new(bench, Dragged::View, Vector::zeros())
     }
 
     /// The drag that begins at a point in metres, on a target or with a tool.
     /// Selects what it takes hold of.
-    pub fn begin(state: &mut State, frame: &Frame, target: Target, at: Vector) -> Self {
+    pub fn begin(
+        canvas: &mut Canvas,
+        bench: &mut Workbench,
+        frame: &Frame,
+        target: Target,
+        at: Vector,
+    ) -> Self {
         let origin = at / METRES_PER_MM;
-        let tool = state.canvas.tool;
+        let tool = canvas.tool;
         if !matches!(tool, Tool::Select | Tool::Polygon) {
-            let index = state.document.scene.obstacles.len();
-            return Self::new(state, Dragged::New(tool, index), origin);
+            let index = bench.document.scene.obstacles.len();
+            return Self::new(bench, Dragged::New(tool, index), origin);
         }
         match target {
             Target::Handle(index, handle) => {
-                let Some((_, shape)) = hit::selected(state, frame) else {
-                    return Self::view(state);
+                let Some((_, shape)) = hit::selected(canvas.tool, bench, frame) else {
+                    return Self::view(bench);
                 };
                 let all = handles(&shape, hit::per_point(frame));
                 let place = all.iter().find(|(other, _)| *other == handle);
                 let grip = place.map_or(Vector::zeros(), |(_, place)| place - origin);
-                state.canvas.vertex = match handle {
+                canvas.vertex = match handle {
                     Handle::Vertex(vertex) => Some((index, vertex)),
                     _ => None,
                 };
                 let what = Dragged::Handle(index, handle, shape);
                 Self {
                     grip,
-                    ..Self::new(state, what, origin)
+                    ..Self::new(bench, what, origin)
                 }
             }
             Target::Obstacle(index) => {
-                if state.selection != Selection::Obstacle(index) {
-                    state.canvas.vertex = None;
+                if bench.selection != Selection::Obstacle(index) {
+                    canvas.vertex = None;
                 }
-                state.selection = Selection::Obstacle(index);
-                state.preferences.hints.obstacle = true;
-                Self::new(state, Dragged::Obstacle(index), origin)
+                bench.selection = Selection::Obstacle(index);
+                bench.preferences.hints.obstacle = true;
+                Self::new(bench, Dragged::Obstacle(index), origin)
             }
             Target::Tip => {
-                state.selection = Selection::Robot;
-                state.transport.stop();
-                state.preferences.hints.tip = true;
-                let map = TipMap::of(state);
-                match map.pull_for_tip(state, at) {
-                    Some(pull) => Self::new(state, Dragged::Tip(map, pull), origin),
-                    None => Self::view(state),
+                bench.selection = Selection::Robot;
+                bench.transport.stop();
+                bench.preferences.hints.tip = true;
+                let map = TipMap::of(bench);
+                match map.pull_for_tip(bench, at) {
+                    Some(pull) => Self::new(bench, Dragged::Tip(map, pull), origin),
+                    None => Self::view(bench),
                 }
             }
-            Target::Robot | Target::Nothing => Self::view(state),
+            Target::Robot | Target::Nothing => Self::view(bench),
         }
     }
 
-    fn new(state: &State, what: Dragged, origin: Vector) -> Self {
+    fn new(bench: &Workbench, what: Dragged, origin: Vector) -> Self {
         Self {
             what,
-            before: state.document.scene.clone(),
+            before: bench.document.scene.clone(),
             origin,
             grip: Vector::zeros(),
             followed: None,
@@ -121,7 +126,13 @@ impl Gesture {
     }
 
     /// Makes the scene follow the pointer, which is at a point in metres.
-    pub fn follow(&mut self, state: &mut State, frame: &Frame, at: Vector, modifiers: Modifiers) {
+    pub fn follow(
+        &mut self,
+        bench: &mut Workbench,
+        frame: &Frame,
+        at: Vector,
+        modifiers: Modifiers,
+    ) {
         if self.followed == Some((at, modifiers)) {
             return;
         }
@@ -134,7 +145,7 @@ impl Gesture {
                 if let Some(obstacle) = self.before.obstacles.get(*index) {
                     let by = to - self.origin;
                     set(
-                        state,
+                        bench,
                         *index,
                         moved(&obstacle.shape, by, modifiers, per_point),
                     );
@@ -143,40 +154,40 @@ impl Gesture {
             Dragged::Handle(index, handle, shape) => {
                 let to = to + self.grip;
                 set(
-                    state,
+                    bench,
                     *index,
                     drag(shape, *handle, to, modifiers, per_point),
                 );
             }
             Dragged::New(tool, index) => {
                 let robot = &self.before.robot;
-                if let Some(shape) = place::dragged(*tool, self.origin, to, robot, per_point) {
-                    let obstacles = &mut state.document.scene.obstacles;
+                if let Some(shape) = shapes::dragged(*tool, self.origin, to, robot, per_point) {
+                    let obstacles = &mut bench.document.scene.obstacles;
                     if *index == obstacles.len() {
                         obstacles.push(Obstacle::from(shape));
                     } else {
-                        set(state, *index, shape);
+                        set(bench, *index, shape);
                     }
                 }
             }
             Dragged::Tip(map, start) => {
-                if let Some(pull) = map.pull_for_tip(state, at) {
-                    let span = state.span_mm();
+                if let Some(pull) = map.pull_for_tip(bench, at) {
+                    let span = bench.span_mm();
                     let by = millimetres(pull - start);
-                    let pull_mm = (self.before.actuation.pull_mm + by).clamp(span.0, span.1);
+                    let pull_mm = (pull_mm_of(&self.before) + by).clamp(span.0, span.1);
                     // A pull moves the tip by a few times its length.
-                    state.document.scene.actuation.pull_mm = neat(pull_mm, 0.5 * per_point);
+                    bench.set_pull(neat(pull_mm, 0.5 * per_point), Playing::GoesOn);
                 }
             }
         }
     }
 
     /// Ends the drag where it is.
-    pub fn end(self, state: &mut State) {
+    pub fn end(self, canvas: &mut Canvas, bench: &mut Workbench) {
         if let Dragged::New(_, index) = self.what {
-            state.canvas.tool = Tool::Select;
-            if index < state.document.scene.obstacles.len() {
-                state.selection = Selection::Obstacle(index);
+            canvas.tool = Tool::Select;
+            if index < bench.document.scene.obstacles.len() {
+                bench.selection = Selection::Obstacle(index);
             }
         }
     }
@@ -201,13 +212,13 @@ impl Gesture {
             Dragged::Handle(index, handle, _) => {
                 shape(*index).map_or(Vec::new(), |shape| handle_reading(shape, *handle))
             }
-            Dragged::Tip(..) => vec![("Pull", mm(scene.actuation.pull_mm))],
+            Dragged::Tip(..) => vec![("Pull", mm(pull_mm_of(scene)))],
         }
     }
 }
 
-fn set(state: &mut State, index: usize, shape: Shape) {
-    if let Some(obstacle) = state.document.scene.obstacles.get_mut(index) {
+fn set(bench: &mut Workbench, index: usize, shape: Shape) {
+    if let Some(obstacle) = bench.document.scene.obstacles.get_mut(index) {
         obstacle.shape = shape;
     }
 }

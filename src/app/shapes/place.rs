@@ -2,7 +2,7 @@
 //! one drags otherwise. In millimetres; knows no screen.
 
 use super::handles::{Turned, neat, written};
-use super::tools::Tool;
+use super::tool::Tool;
 use crate::geometry::{Vector, cross};
 use crate::scene::{Robot, Shape};
 use std::f64::consts::SQRT_2;

@@ -1,14 +1,5 @@
 //! Painting a [`Drawing`] with egui: the same marks that the SVG export writes.
 
-mod handles;
-mod labels;
-mod overlay;
-
-pub(super) use handles::paint as handles;
-pub(super) use labels::Labels;
-pub(super) use overlay::{halo, legend, outline_of, scale_bar, selection, tip_ring};
-
-use super::to_screen;
 use crate::app::look::colour;
 use crate::geometry::Vector;
 use crate::view::{
@@ -16,6 +7,17 @@ use crate::view::{
     hatching, one_two_five,
 };
 use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke, pos2};
+
+/// Where a point of the plane, in metres, is on the screen.
+pub fn to_screen(frame: &Frame, at: Vector) -> Pos2 {
+    let at = frame.to_screen(at);
+    Pos2::new(at.x as f32, at.y as f32)
+}
+
+/// The point of the plane, in metres, that is there on the screen.
+pub fn to_world(frame: &Frame, at: Pos2) -> Vector {
+    frame.to_world(Vector::new(f64::from(at.x), f64::from(at.y)))
+}
 
 /// Distance of grid lines, in points, at least.
 const GRID: f64 = 48.0;

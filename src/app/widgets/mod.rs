@@ -1,0 +1,21 @@
+//! What the panels and tables are made of: rows, buttons of commands, and forms
+//! of fields.
+
+mod button;
+mod form;
+pub mod row;
+mod typed;
+
+pub use button::button;
+pub use form::{Form, Number};
+pub use typed::Kind;
+
+use crate::app::workbench::Workbench;
+use crate::scene::{Scene, SceneError};
+
+/// A form for a part of the scene, which is handed out beside it.
+pub fn with_form(bench: &mut Workbench, add: impl FnOnce(&mut Scene, &mut Form<'_>)) {
+    let faults: &[SceneError] = bench.refusal.as_ref().map_or(&[], |it| &it.faults);
+    let form = &mut Form::new(&mut bench.complaint, faults);
+    add(&mut bench.document.scene, form);
+}
