@@ -21,7 +21,7 @@ use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use sinew::equilibrium::{Run, Settings, Solution, Start, solve};
 use sinew::geometry::Vector;
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::Scene;
 
 fn main() {

@@ -13,14 +13,14 @@
 //! that shape, what the robot presses on and how hard, and proves it:
 //!
 //! ```text
-//! text ── scene ──▶ Scene ── model ──▶ Problem ── equilibrium ──▶ Solution
-//!                                         │                          │
-//!                        geometry: clearances of obstacles      Certificate
-//!                        solver: least cost along a chain  view, report, record
+//! text ── scene ──▶ Scene ── mechanics ──▶ Problem ── equilibrium ──▶ Solution
+//!                                             │                          │
+//!                contact, geometry: clearances of obstacles         Certificate
+//!                solver: least cost along a chain           view, report, record
 //! ```
 //!
 //! A [`scene::Scene`] is what a file says and may be half-edited nonsense.
-//! [`model::Problem`] is made of it once and cannot be wrong. Each segment is a
+//! [`mechanics::Problem`] is made of it once and cannot be wrong. Each segment is a
 //! four-bar linkage with one degree of freedom, so all length constraints are
 //! eliminated exactly and only its turn is unknown; the [`solver`] minimises
 //! along the chain in time proportional to n. [`equilibrium`] follows the shape
@@ -38,7 +38,10 @@
 //!   active set on a Riccati recursion).
 //! - [`geometry`]: obstacles as outlines; clearances with exact derivatives.
 //! - [`scene`]: the scene file: its types, its checks, its schema.
-//! - [`model`]: the robot of eq. 4 and 5 as a chain, from a scene.
+//! - [`robot`]: its dimensions, its parts and their names, the pose of a node.
+//! - [`contact`]: the parts that may touch against the obstacles, as rows of eq. 5.
+//! - [`mechanics`]: what bends the robot, as a chain, from a scene: the four-bar
+//!   linkages of eq. 4.
 //! - [`equilibrium`]: from a problem to a certified solution, step by step.
 //! - [`forces`]: newtons, from multipliers with a bending stiffness and from
 //!   kinematics by virtual work; the balance of the whole robot.
@@ -92,16 +95,16 @@
 //!
 //! | paper | here | meaning |
 //! |---|---|---|
-//! | L_0 | [`model::Robot::length`] | length of the backbone |
-//! | n | [`model::Robot::segments`] | number of segments |
-//! | a | [`model::Robot::offset`] | cable offset, backbone to cable |
-//! | l | [`model::Problem::pull`] | pull, the length of cable drawn in |
-//! | l_0 | [`model::FourBar::backbone`] | a segment's backbone link, L_0/n |
-//! | l_a | [`model::FourBar::cable`] | a segment's cable link, l_0 − l/n |
-//! | x_0 | [`model::PlanarNode::position`] | a backbone point |
-//! | x_a | [`model::PlanarNode::at`] | a cable point, at the cable offset |
-//! | | [`model::PlanarNode::angle`] | φ, direction of a disk towards the cable |
-//! | f(x) | [`model::RowKind::Contact`] | clearance from an obstacle, ⪰ 0 |
+//! | L_0 | [`robot::Robot::length`] | length of the backbone |
+//! | n | [`robot::Robot::segments`] | number of segments |
+//! | a | [`robot::Robot::offset`] | cable offset, backbone to cable |
+//! | l | [`mechanics::Problem::pull`] | pull, the length of cable drawn in |
+//! | l_0 | [`mechanics::FourBar::backbone`] | a segment's backbone link, L_0/n |
+//! | l_a | [`mechanics::FourBar::cable`] | a segment's cable link, l_0 − l/n |
+//! | x_0 | [`robot::PlanarNode::position`] | a backbone point |
+//! | x_a | [`robot::PlanarNode::at`] | a cable point, at the cable offset |
+//! | | [`robot::PlanarNode::angle`] | φ, direction of a disk towards the cable |
+//! | f(x) | [`contact::RowKind::Contact`] | clearance from an obstacle, ⪰ 0 |
 //! | (x_e, y_e, θ_e) | [`equilibrium::Solution::tip`] | the tip |
 //! | | [`equilibrium::Solution::bends`] | β, angle between neighbouring disks |
 //! | | [`equilibrium::Solution::shears`] | ψ, backbone link against disks |
@@ -130,7 +133,6 @@ pub mod forces;
 pub mod geometry;
 pub mod math;
 pub mod mechanics;
-pub mod model;
 pub mod record;
 #[cfg(feature = "app")]
 pub mod render;

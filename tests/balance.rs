@@ -8,7 +8,8 @@ use sinew::forces::{
     StiffnessError, Sweep, SweepError, Touch, VirtualWork, VirtualWorkError, Window,
 };
 use sinew::geometry::{Vector, cross};
-use sinew::model::{Line, Problem};
+use sinew::mechanics::Problem;
+use sinew::robot::Line;
 use sinew::scene::{Candidates, Scene, Shape};
 
 fn stiffness() -> Stiffness {

@@ -3,7 +3,8 @@
 
 use sinew::equilibrium::{Caution, Settings, Solution, Start, Status, solve};
 use sinew::geometry::Vector;
-use sinew::model::{Line, Problem};
+use sinew::mechanics::Problem;
+use sinew::robot::Line;
 use sinew::scene::{Candidates, Line as NodeLine, Listed, Scene, Shape};
 
 fn disc(center_mm: [f64; 2], radius_mm: f64) -> Shape {

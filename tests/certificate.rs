@@ -8,7 +8,8 @@ use sinew::equilibrium::{
     Certificate, Certifier, Contact, Settings, Solution, Start, Status, solve,
 };
 use sinew::geometry::{Core, Obstacle, Vector, perpendicular};
-use sinew::model::{PlanarNode, Problem};
+use sinew::mechanics::Problem;
+use sinew::robot::PlanarNode;
 use sinew::scene::{Candidates, Scene, Shape};
 use sinew::solver::{Chain, Control};
 

@@ -6,9 +6,10 @@
 mod turned;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use sinew::contact::RowKind;
 use sinew::equilibrium::{Certifier, Contact, Settings, Solution, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle};
-use sinew::model::{Problem, RowKind};
+use sinew::mechanics::Problem;
 use sinew::scene::Scene;
 use sinew::solver::{Control, Hessian, RowId};
 use turned::at;

@@ -2,7 +2,7 @@
 //! robot; the limits of no pull and of a cable let out.
 
 use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::Scene;
 
 fn free(length_mm: f64, segments: u32, offset_mm: f64, pull_mm: f64) -> Solution {

@@ -14,7 +14,8 @@ mod seeded;
 use seeded::{Random, scenes};
 use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
 use sinew::geometry::Vector;
-use sinew::model::{Line, Problem};
+use sinew::mechanics::Problem;
+use sinew::robot::Line;
 use sinew::scene::{Candidates, Scene, Shape};
 use std::collections::BTreeMap;
 

@@ -6,7 +6,8 @@ mod turned;
 
 use crowded::{controls, crowded};
 use nalgebra::{DMatrix, DVector};
-use sinew::model::{Problem, RowKind};
+use sinew::contact::RowKind;
+use sinew::mechanics::Problem;
 use sinew::scene::Scene;
 use sinew::solver::{
     Chain, Control, Hessian, Outcome, Riccati, RowId, Settings as SqpSettings, Source, Sqp,

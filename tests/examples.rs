@@ -8,7 +8,8 @@ use std::path::Path;
 use sinew::app::examples::{EXAMPLES, Example, Group};
 use sinew::equilibrium::{Class, Event, Occurrence, Run, Settings, Solution, Start, Status, solve};
 use sinew::forces::{Rates, Sweep, VirtualWork, Window};
-use sinew::model::{Line, Problem};
+use sinew::mechanics::Problem;
+use sinew::robot::Line;
 use sinew::scene::{Candidates, Scene};
 use sinew::units::{grams, metres, millimetres, newtons};
 

@@ -4,7 +4,7 @@
 use sinew::experiments::{
     Check, ForceRow, ForceTable, Id, Item, PaperScene, TableFault, Verdict, pull_window, reproduce,
 };
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::units::millimetres;
 use sinew::view::charts;
 

@@ -5,7 +5,7 @@ use sinew::equilibrium::{Occurrence, Progress, Run, Settings, Solution, Start, S
 use sinew::explore::{LoadCurve, Path, PathRun};
 use sinew::forces::{Loading, Stiffness, Sweep};
 use sinew::geometry::Vector;
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::record::path::{COLUMNS, rows};
 use sinew::scene::{Candidates, Line, Listed, Scene, Shape};
 

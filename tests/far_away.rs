@@ -4,7 +4,7 @@
 
 use sinew::equilibrium::{Occurrence, Settings, Solution, Start, Status, solve};
 use sinew::geometry::Vector;
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::{Candidates, Scene, Shape};
 
 fn moved(scene: &Scene, by: [f64; 2]) -> Scene {

@@ -7,7 +7,7 @@ use sinew::forces::{
     Sweep, SweepError, VirtualWork, VirtualWorkError, Window, share_of_tension,
 };
 use sinew::geometry::Vector;
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::{Candidates, Scene, Shape};
 use sinew::units::{grams, metres, newtons};
 

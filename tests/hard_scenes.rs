@@ -9,7 +9,7 @@ mod seeded;
 
 use seeded::{Random, scenes};
 use sinew::equilibrium::{Settings, Start, Status, solve};
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::{Candidates, Scene, Shape};
 
 /// An obstacle near a robot of a length, in mm, of a three-hundredth of it to a

@@ -4,7 +4,7 @@
 
 use sinew::equilibrium::{Run, Settings, Start, Status, solve};
 use sinew::geometry::Vector;
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::Scene;
 
 fn problem(scene: &str, pull_mm: f64) -> Problem {

@@ -18,19 +18,18 @@ const LAYERS: &[(&str, u32)] = &[
     ("robot", 4),
     ("contact", 5),
     ("mechanics", 6),
-    ("model", 7),
-    ("equilibrium", 8),
-    ("forces", 9),
-    ("experiments", 10),
-    ("explore", 10),
-    ("record", 11),
-    ("solving", 11),
-    ("view", 11),
-    ("report", 12),
-    ("render", 12),
-    ("app", 13),
-    ("cli", 13),
-    ("web", 14),
+    ("equilibrium", 7),
+    ("forces", 8),
+    ("experiments", 9),
+    ("explore", 9),
+    ("record", 10),
+    ("solving", 10),
+    ("view", 10),
+    ("report", 11),
+    ("render", 11),
+    ("app", 12),
+    ("cli", 12),
+    ("web", 13),
 ];
 
 /// The same within the window. What all parts of it share knows none of them,
@@ -301,9 +300,9 @@ fn an_upward_or_sideways_arrow_would_be_found() {
         };
         assert_eq!(wrong_arrows(&source), expected, "{path}: {text}");
     };
-    check("model/node.rs", "use crate::geometry::Vector;", &[]);
-    check("model/node.rs", "use super::Problem;", &[]);
-    check("model/node.rs", "// use crate::cli::run;", &[]);
+    check("robot/node.rs", "use crate::geometry::Vector;", &[]);
+    check("robot/node.rs", "use super::Robot;", &[]);
+    check("robot/node.rs", "// use crate::cli::run;", &[]);
     check(
         "solver/sqp.rs",
         "use crate::geometry::Vector;",
@@ -311,22 +310,22 @@ fn an_upward_or_sideways_arrow_would_be_found() {
     );
     check(
         "geometry/mod.rs",
-        "use crate::{math::asinc, model::{Line, Node}, scene};",
-        &["geometry/mod.rs names model", "geometry/mod.rs names scene"],
+        "use crate::{math::asinc, robot::{Line, Node}, scene};",
+        &["geometry/mod.rs names robot", "geometry/mod.rs names scene"],
     );
     check(
         "scene/mod.rs",
-        "use super::model::Problem;",
-        &["scene/mod.rs names model"],
+        "use super::robot::Robot;",
+        &["scene/mod.rs names robot"],
     );
     check(
         "scene/walk.rs",
-        "let problem = super::super::model::Problem::new();",
-        &["scene/walk.rs names model"],
+        "let problem = super::super::robot::Robot::new();",
+        &["scene/walk.rs names robot"],
     );
     check(
         "scene/walk.rs",
-        "#[cfg(test)]\nmod tests {\n    use super::super::model;\n}",
+        "#[cfg(test)]\nmod tests {\n    use super::super::robot;\n}",
         &[],
     );
     check(

@@ -3,7 +3,7 @@
 use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
 use sinew::experiments::{Measured, MeasuredFault, MeasuredPoint, PaperScene, best_pull, compare};
 use sinew::geometry::Vector;
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::{Measurements, Scene};
 use sinew::units::{metres, millimetres};
 

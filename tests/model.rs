@@ -3,7 +3,8 @@
 
 use sinew::equilibrium::{Settings, Start, solve};
 use sinew::geometry::{Core, Obstacle, Vector};
-use sinew::model::{Line, Problem};
+use sinew::mechanics::Problem;
+use sinew::robot::Line;
 use sinew::scene::{Candidates, Listed, Scene, Shape};
 use sinew::solver::Chain;
 

@@ -4,7 +4,7 @@
 
 use sinew::equilibrium::{Occurrence, Settings, Solution, Start, Status, solve};
 use sinew::geometry::{Vector, cross};
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::{Candidates, Scene, Shape};
 
 fn body(pull_mm: f64, shape: Shape) -> Option<(Problem, Solution)> {
@@ -34,7 +34,7 @@ fn sampled_depth(problem: &Problem, solution: &Solution) -> f64 {
 /// Whether a point is to the right of the backbone: on the side it bends to.
 fn is_right(solution: &Solution, point: Vector) -> bool {
     let nearest = solution.nodes.windows(2).min_by(|a, b| {
-        let distance = |pair: &[sinew::model::PlanarNode]| {
+        let distance = |pair: &[sinew::robot::PlanarNode]| {
             (0.5 * (pair[0].position + pair[1].position) - point).norm()
         };
         distance(a).total_cmp(&distance(b))

@@ -6,7 +6,8 @@ use sinew::equilibrium::{
     EndReason, Event, Occurrence, Progress, Run, Settings, Solution, Start, Status, solve,
 };
 use sinew::geometry::{Core, Obstacle, Vector};
-use sinew::model::{Line, Problem};
+use sinew::mechanics::Problem;
+use sinew::robot::Line;
 use sinew::scene::{Candidates, Scene, Shape};
 
 fn scene(pull_mm: f64, shapes: &[Shape]) -> Scene {

@@ -8,7 +8,7 @@ use sinew::app::{Hovered, look};
 use sinew::equilibrium::{Class, Settings, Solution, Start, solve};
 use sinew::explore::{Path, PathRun};
 use sinew::forces::Window;
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::record::path::rows;
 use sinew::scene::{ForceReading, Measurements, Scene, Shape};
 

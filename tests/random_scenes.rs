@@ -6,7 +6,7 @@ mod random_scene;
 use proptest::prelude::*;
 use random_scene::{config, scaled_scene, scene};
 use sinew::equilibrium::{Occurrence, Run, Settings, Solution, Start, Status, solve};
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::{Candidates, Scene};
 
 fn straight(problem: &Problem) -> Solution {

@@ -3,7 +3,8 @@
 
 use serde_json::Value;
 use sinew::equilibrium::{Class, Settings, Solution, Start, Status, solve};
-use sinew::model::{Line, Problem};
+use sinew::mechanics::Problem;
+use sinew::robot::Line;
 use sinew::scene::{Scene, Shape};
 
 const CASES: &str = include_str!("cases/planar_cases.json");

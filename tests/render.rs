@@ -13,7 +13,7 @@ use eframe::egui_wgpu::wgpu::{TextureFormat, naga};
 use offscreen::{Offscreen, Picture};
 use sinew::equilibrium::{Settings, Solution, Start, solve};
 use sinew::geometry::{Core, Obstacle, Vector};
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::render::{
     self, Camera, FieldOutput, FieldPass, FieldPicture, SolidPass, SolidPicture, contour_spacing,
 };

@@ -4,8 +4,10 @@
 mod crowded;
 
 use crowded::{controls, crowded};
+use sinew::contact::RowKind;
 use sinew::geometry::Vector;
-use sinew::model::{Element, PlanarNode, Problem, RowKind};
+use sinew::mechanics::Problem;
+use sinew::robot::{Element, PlanarNode};
 use sinew::solver::{Chain, Control, Row, RowId};
 
 fn nodes(problem: &Problem, controls: &[Control<1>]) -> Vec<PlanarNode> {

@@ -8,7 +8,7 @@ mod random_scene;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
 use random_scene::{config, scene};
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::Candidates;
 use sinew::solving::wire::{write_request, write_update};
 use sinew::solving::{Job, Request, StartFrom, Work};

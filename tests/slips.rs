@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngSeed, TestRunner};
 use sinew::equilibrium::{Occurrence, Settings, Solution, Start, Status, solve};
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::{Candidates, Scene, Shape};
 
 const FREE: &str = include_str!("../assets/scenes/free.toml");

@@ -14,7 +14,7 @@ use proptest::test_runner::{
 use sinew::app::backend::Inline;
 use sinew::app::{Command, Preferences, Sinew};
 use sinew::equilibrium::Status;
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::{self, Scene};
 
 /// Runs, and things done in each: 20 000 in all.

@@ -3,7 +3,8 @@
 
 use sinew::equilibrium::{Class, Occurrence, Run, Settings, Solution, Start, Status, solve};
 use sinew::geometry::Vector;
-use sinew::model::{Line, Problem};
+use sinew::mechanics::Problem;
+use sinew::robot::Line;
 use sinew::scene::{Candidates, Listed, Scene, Shape};
 
 const TWO_DISCS: &str = include_str!("../assets/scenes/two-discs.toml");

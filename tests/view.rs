@@ -8,8 +8,9 @@ use std::path::PathBuf;
 
 use sinew::equilibrium::{Class, EndReason, Settings, Solution, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle, Vector};
-use sinew::model::{PlanarNode, Problem};
+use sinew::mechanics::Problem;
 use sinew::report::svg::{self, Size};
+use sinew::robot::PlanarNode;
 use sinew::scene::Scene;
 use sinew::view::{
     Drawing, Frame, Geometry, LabelText, Notes, Path, Piece, Quantity, Spot, Standing, Theme, draw,

@@ -129,7 +129,7 @@ pub fn encode(scene: &Scene) -> Result<String, LinkError> {
 
 /// The scene that a link holds: a whole address, its fragment with or without
 /// `#`, with white space around it. The scene has no faults of its fields, but
-/// [`crate::model::Problem`] may still refuse it.
+/// [`crate::mechanics::Problem`] may still refuse it.
 ///
 /// # Errors
 /// When the link holds no scene: see [`LinkError`].

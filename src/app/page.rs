@@ -18,7 +18,7 @@ use super::window::Sinew;
 use super::window::stored::{Stored, has_preferences};
 use super::words::{faults_of, sentence};
 use super::workbench::{Arrival, Intent, Notice};
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::scene::Scene;
 use eframe::egui::{Context, FullOutput, Plugin, Ui, ViewportCommand};
 use eframe::{CreationContext, WebRunner};

@@ -3,7 +3,7 @@
 
 use crate::app::look::icons;
 use crate::equilibrium::{Caution, Conflict, Event, Occurrence, Solution, Status};
-use crate::model::Line;
+use crate::robot::Line;
 use crate::scene::{Obstacle, Scene, SceneError, Shape};
 use crate::units::millimetres;
 use crate::view::{Quantity, reason};
@@ -255,7 +255,7 @@ mod tests {
         };
         scene.obstacles.push(shape.into());
         change(&mut scene);
-        let faults = crate::model::Problem::faults(&scene);
+        let faults = crate::mechanics::Problem::faults(&scene);
         refusal(&faults[0])
     }
 

@@ -12,7 +12,7 @@ use super::{compare, input};
 use crate::equilibrium::{Caution, Run, Settings, Start, Status};
 use crate::experiments::Measured;
 use crate::math::{decimals, unsigned_zero};
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::scene::limits::shown;
 use crate::scene::{Candidates, Scene};
 use crate::units::millimetres;

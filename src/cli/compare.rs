@@ -12,7 +12,7 @@ use crate::equilibrium::{Settings, Solution, Start, Status, solve};
 use crate::experiments::measured_csv::LeftOut;
 use crate::experiments::{Measured, ShapeError, ShapeFit, best_pull, compare};
 use crate::math::decimals;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::record::Fit;
 use crate::report::chart;
 use crate::scene::Scene;

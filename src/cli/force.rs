@@ -11,10 +11,11 @@ use crate::equilibrium::{Contact, Settings, Start, Status, solve};
 use crate::forces::{
     Loading, Profile, Rates, Stiffness, Sweep, SweepError, VirtualWork, Window, share_of_tension,
 };
-use crate::model::{Problem, part_name};
+use crate::mechanics::Problem;
 use crate::record::force::{
     ByMultipliers, ByVirtualWork, Forces, Line, Loaded, Row, SCHEMA, Share,
 };
+use crate::robot::part_name;
 use crate::scene::{Measurements, Scene};
 use crate::units::{
     degrees, grams, metres, millimetres, newton_square_metres, newton_square_millimetres, newtons,

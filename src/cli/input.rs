@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::bail;
 
 use super::output::printable;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::scene::{MAX_FILE_BYTES, Scene, SceneError};
 
 /// What a scene's file should be.

@@ -9,7 +9,7 @@ use super::progress::Progress;
 use super::{Failure, Outcome, timing};
 use crate::equilibrium::{self, Run, Settings, Start, Status};
 use crate::forces::Stiffness;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::record::Solution;
 
 /// Steps of the progress bar of one solve.

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::input::{self, BadInput};
 use crate::experiments::measured_csv::{self, LeftOut, records};
 use crate::experiments::{ForceRow, ForceTable, Measured, MeasuredPoint};
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use anyhow::{Context, anyhow, bail};
 
 /// The paper's Table 1, which is part of the program.

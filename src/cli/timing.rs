@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::progress::Progress;
 use crate::equilibrium::{Run, Settings, Solution, Start, Status, solve};
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::record::{Sample, Timing};
 use crate::units::metres;
 

@@ -6,7 +6,8 @@
 //! the base above all, is touched on the way.
 
 use crate::geometry::{Core, Obstacle, Vector};
-use crate::model::{PlanarNode, Problem};
+use crate::mechanics::Problem;
+use crate::robot::PlanarNode;
 
 /// Scale an obstacle starts from. Not zero, so that a half-plane's surface and
 /// a polygon's edges keep their directions.

@@ -8,7 +8,8 @@ mod crossing;
 use super::solution::Solution;
 use crate::geometry::Vector;
 use crate::math::decimals;
-use crate::model::{Line, Problem};
+use crate::mechanics::Problem;
+use crate::robot::Line;
 use crate::units::millimetres;
 use serde::{Deserialize, Serialize};
 

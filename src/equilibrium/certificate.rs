@@ -27,7 +27,8 @@ mod tests;
 use super::solution::Contact;
 use crate::geometry::{Vector, cross, perpendicular};
 use crate::math::greatest;
-use crate::model::{Candidate, Element, Problem};
+use crate::mechanics::Problem;
+use crate::robot::{Candidate, Element};
 use nalgebra::{SMatrix, SVector};
 use serde::{Deserialize, Serialize};
 

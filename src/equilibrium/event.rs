@@ -2,7 +2,7 @@
 
 use super::status::EndReason;
 use crate::geometry::Vector;
-use crate::model::Line;
+use crate::robot::Line;
 use serde::{Deserialize, Serialize};
 
 /// Something that happened on the way.

@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use sinew::equilibrium::{Settings, Start, solve};
-//! use sinew::model::Problem;
+//! use sinew::mechanics::Problem;
 //! use sinew::scene::Scene;
 //!
 //! let scene = Scene::from_toml(include_str!("../../assets/scenes/two-discs.toml"))?;

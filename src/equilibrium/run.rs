@@ -28,7 +28,8 @@ use super::event::{Event, Occurrence};
 use super::solution::Solution;
 use super::status::{EndReason, Status};
 use crate::geometry::{Obstacle, Vector};
-use crate::model::{PlanarNode, Problem};
+use crate::mechanics::Problem;
+use crate::robot::PlanarNode;
 use crate::solver::{
     Chain, Control, Outcome, Progress as SolveProgress, RowId, Settings as SolveSettings, Sqp,
     Tunnelling,

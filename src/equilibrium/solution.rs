@@ -3,9 +3,11 @@
 use super::certificate::{Certificate, Certifier};
 use super::event::Event;
 use super::status::Status;
+use crate::contact::RowKind;
 use crate::geometry::Vector;
 use crate::math::PackedCholesky;
-use crate::model::{Line, PlanarNode, Problem, Robot, RowKind};
+use crate::mechanics::Problem;
+use crate::robot::{Line, PlanarNode, Robot};
 use crate::solver::{Control, Iteration, Point, RowId};
 use serde::{Deserialize, Serialize};
 

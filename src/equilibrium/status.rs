@@ -1,6 +1,6 @@
 //! How a run ended. Data, never an error: every run ends in one of these.
 
-use crate::model::Line;
+use crate::robot::Line;
 use serde::{Deserialize, Serialize};
 
 /// The outcome of a run.

@@ -19,7 +19,7 @@ use super::shape_fit::rms_up_to;
 use super::{Measured, ShapeFit, compare};
 use crate::equilibrium::{Run, Settings, Solution, Start, Status, solve};
 use crate::geometry::Vector;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use std::f64::consts::TAU;
 use std::rc::Rc;
 

@@ -2,7 +2,7 @@
 
 use super::data::Data;
 use crate::equilibrium::Solution;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 
 /// A figure or table of the paper that can be reproduced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

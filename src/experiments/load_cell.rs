@@ -191,7 +191,7 @@ pub(super) fn figure_9() -> Result<Item, ExperimentError> {
 
 /// The pull, in mm, at which the robot begins to press on the cell, from the
 /// pressing side.
-fn onset(problem: &crate::model::Problem) -> Result<f64, ExperimentError> {
+fn onset(problem: &crate::mechanics::Problem) -> Result<f64, ExperimentError> {
     let touches = |s: &crate::equilibrium::Solution| s.contacts.iter().any(|c| c.multiplier > 0.0);
     let window = pull_window(problem, REACH_MM, STEP_MM, touches)?;
     let window = window.ok_or(ExperimentError::NoContact("the load cell"))?;

@@ -2,7 +2,7 @@
 //! refused of them. Where it is measured from is not its business.
 
 use crate::geometry::Vector;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::scene::Measurements;
 use crate::scene::limits::LEAST_MEASURED_POINTS;
 use crate::units::metres;

@@ -4,7 +4,7 @@ use super::ExperimentError;
 use super::item::Picture;
 use crate::equilibrium::{Settings, Solution, Start, Status, solve};
 use crate::forces::SweepError;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::scene::{Scene, Shape};
 use crate::units::metres;
 

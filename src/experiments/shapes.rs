@@ -8,7 +8,8 @@ use super::window::pull_window;
 use crate::equilibrium::{Class, Solution};
 use crate::forces::share_of_tension;
 use crate::geometry::Vector;
-use crate::model::{Line, Problem, part_name};
+use crate::mechanics::Problem;
+use crate::robot::{Line, part_name};
 use crate::scene::Scene;
 use crate::units::{millimetres, picometres};
 

@@ -5,7 +5,7 @@ use super::data::{Data, TipMotion};
 use super::item::{Check, Id, Item};
 use super::scenes::PaperScene;
 use crate::forces::{Rates, Sweep, VirtualWork, Window};
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::units::{degrees, metres, millimetres, per_millimetre};
 
 /// The window of the fits, in mm. The text does not give the figure's.

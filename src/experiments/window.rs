@@ -3,7 +3,7 @@
 use super::ExperimentError;
 use super::scenes::solved_at;
 use crate::equilibrium::Solution;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::units::millimetres;
 
 /// A range of pulls, in metres, at both ends of which something holds.

@@ -6,7 +6,7 @@
 
 use super::path::Path;
 use crate::forces::Stiffness;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 
 /// The forces at one pull.
 #[derive(Clone, Debug, PartialEq)]

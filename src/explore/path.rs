@@ -3,7 +3,7 @@
 use crate::equilibrium::{Class, Event, Solution, Status};
 use crate::forces::{Sweep, SweepPoint};
 use crate::geometry::Vector;
-use crate::model::{Line, PlanarNode};
+use crate::robot::{Line, PlanarNode};
 use serde::{Deserialize, Serialize};
 
 /// A contact that carries a force.

@@ -2,7 +2,7 @@
 
 use super::path::{End, Path, PathState};
 use crate::equilibrium::{Event, Occurrence, Progress, Run, Settings, Start, Status};
-use crate::model::Problem;
+use crate::mechanics::Problem;
 
 /// Which way from the straight robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

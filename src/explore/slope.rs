@@ -41,7 +41,7 @@ pub fn usual_end(values: impl Iterator<Item = f64>) -> f64 {
 mod tests {
     use super::*;
     use crate::explore::PathRun;
-    use crate::model::Problem;
+    use crate::mechanics::Problem;
     use crate::scene::Scene;
 
     #[test]

@@ -8,7 +8,7 @@ use super::statics::Statics;
 use super::stiffness::Stiffness;
 use super::sweep::SweepError;
 use crate::equilibrium::{Class, EndReason, Settings, Solution, Start, Status, solve};
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use std::f64::consts::TAU;
 
 /// A robot under a load.

@@ -23,7 +23,8 @@
 use super::statics::Resultant;
 use crate::equilibrium::{Contact, Solution};
 use crate::geometry::{Vector, cross, perpendicular};
-use crate::model::{Element, PlanarNode, Problem};
+use crate::mechanics::Problem;
+use crate::robot::{Element, PlanarNode};
 
 /// What a cut through one segment transmits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

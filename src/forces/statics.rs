@@ -21,7 +21,7 @@ use super::sections::{Section, Sections};
 use super::stiffness::Stiffness;
 use crate::equilibrium::{Contact, Solution};
 use crate::geometry::{Vector, cross};
-use crate::model::Problem;
+use crate::mechanics::Problem;
 
 /// A force and a couple: what a set of forces amounts to, about the base node.
 #[derive(Clone, Copy, Debug, PartialEq)]

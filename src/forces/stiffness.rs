@@ -3,7 +3,7 @@
 
 use super::told;
 use crate::equilibrium::Solution;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::scene::Scene;
 use crate::units::{grams, millimetres, newton_square_metres, newton_square_millimetres};
 use std::f64::consts::PI;

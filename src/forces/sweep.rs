@@ -1,7 +1,7 @@
 //! A node's place and slope as functions of the pull (eq. 6), by continuation.
 
 use crate::equilibrium::{Class, Run, Settings, Start, Status};
-use crate::model::{FreeArc, Problem};
+use crate::mechanics::{FreeArc, Problem};
 use crate::units::millimetres;
 
 /// A node of the robot at one pull.

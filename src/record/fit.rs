@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::experiments::{Measured, ShapeFit};
 use crate::math::shortest;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::units::millimetres;
 
 /// The version of the keys below.

@@ -8,7 +8,7 @@ use crate::equilibrium::{
 };
 use crate::forces::Stiffness;
 use crate::geometry::Vector;
-use crate::model::Line;
+use crate::robot::Line;
 use crate::units::{millimetres, per_millimetre};
 
 use super::timing::Timing;

@@ -15,7 +15,7 @@ pub use job::{Job, Work};
 
 use crate::equilibrium::{Caution, Solution};
 use crate::explore::Path;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use serde::{Deserialize, Serialize};
 
 /// What to solve.

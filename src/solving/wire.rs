@@ -43,7 +43,7 @@ pub fn read_update(bytes: &[u8]) -> Result<Update, WireError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Problem;
+    use crate::mechanics::Problem;
     use crate::scene::Scene;
     use crate::solving::{Job, StartFrom, Work};
 

@@ -5,7 +5,7 @@ use crate::equilibrium::Solution;
 use crate::experiments::{Measured, ShapeFit};
 use crate::geometry::Vector;
 use crate::math::decimals;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::units::millimetres;
 
 /// The chart of a fit: the solution's backbone and cable, in the problem's

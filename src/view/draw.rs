@@ -10,7 +10,8 @@ use super::shares::Shares;
 use crate::equilibrium::{Class, Contact, Solution};
 use crate::forces::Stiffness;
 use crate::geometry::Vector;
-use crate::model::{PlanarNode, Problem, Sizes};
+use crate::mechanics::Problem;
+use crate::robot::{PlanarNode, Sizes};
 use crate::scene::Scene;
 use crate::units::{RAD2_PER_MM, degrees, grams, millimetres, per_millimetre};
 

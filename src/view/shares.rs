@@ -2,7 +2,7 @@
 //! same for every picture.
 
 use crate::equilibrium::{Class, Contact, Solution};
-use crate::model::Line;
+use crate::robot::Line;
 
 /// The contacts of a solution, measured by the greatest of their multipliers.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! A robot's body amid shapes of every kind, for derivatives.
 
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::scene::{Candidates, Scene, Shape};
 use sinew::solver::{Chain, Control};
 

@@ -3,7 +3,8 @@
 
 use sinew::equilibrium::{Class, Contact};
 use sinew::geometry::{Core, Obstacle, Vector, perpendicular};
-use sinew::model::{Candidate, Element, Joins, Line, PlanarNode, Problem, Robot, Sizes};
+use sinew::mechanics::Problem;
+use sinew::robot::{Candidate, Element, Joins, Line, PlanarNode, Robot, Sizes};
 
 /// A backbone and a cable point a node.
 pub type Points = Vec<(Vector, Vector)>;

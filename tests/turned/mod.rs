@@ -1,6 +1,6 @@
 //! The solver's point of a planar robot, from its turns.
 
-use sinew::model::Problem;
+use sinew::mechanics::Problem;
 use sinew::solver::{Control, Point};
 
 /// The solver's point of the planar robot.

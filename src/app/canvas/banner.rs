@@ -11,7 +11,8 @@ use crate::app::words;
 use crate::app::workbench::{Live, Workbench};
 use crate::equilibrium::{Solution, Status};
 use crate::geometry::Vector;
-use crate::model::{Line, Problem};
+use crate::mechanics::Problem;
+use crate::robot::Line;
 use crate::view::{Frame, Standing};
 use eframe::egui::{
     Align, Button, Color32, Label, Layout, Painter, Pos2, Rect, RichText, Sense, Stroke, Ui,

@@ -78,7 +78,7 @@ fn nearest(away: impl Fn(f64) -> f64, (least, most): (f64, f64)) -> Option<f64> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Problem;
+    use crate::mechanics::Problem;
     use crate::scene::Scene;
 
     #[test]

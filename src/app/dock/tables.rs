@@ -11,7 +11,7 @@ use crate::app::words;
 use crate::app::workbench::{Hovered, Selection, Workbench};
 use crate::equilibrium::Class;
 use crate::forces::Statics;
-use crate::model::part_name;
+use crate::robot::part_name;
 use crate::scene::limits::{COORDINATE, Limits, RADIUS};
 use crate::scene::{Obstacle, Shape};
 use crate::units::{grams, millimetres, per_millimetre};

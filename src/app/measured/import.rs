@@ -6,7 +6,7 @@ use crate::app::words::{faults_of, sentence, shown};
 use crate::app::workbench::{Notice, Selection, Trouble, Workbench};
 use crate::experiments::measured_csv::{LeftOut, Sheet as Table};
 use crate::experiments::{Measured, MeasuredPoint};
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::scene::{Measurements, Scene};
 use std::path::Path;
 

@@ -5,7 +5,7 @@ use super::marks::{self, Happening};
 use crate::equilibrium::Class;
 use crate::explore::{LoadCurve, Path, usual_end};
 use crate::forces::{Rates, Sweep, VirtualWork, VirtualWorkError, Window};
-use crate::model::Line;
+use crate::robot::Line;
 use crate::scene::ForceReading;
 use crate::units::{degrees, grams, millimetres, newtons, per_millimetre};
 use egui_plot::PlotPoint;

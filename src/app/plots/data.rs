@@ -5,7 +5,7 @@ use crate::app::workbench::Hovered;
 use crate::equilibrium::Solution;
 use crate::explore::Path;
 use crate::forces::{Stiffness, Window};
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::scene::{ForceReading, Scene};
 
 /// A plot of the dock.

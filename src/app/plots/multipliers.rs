@@ -11,7 +11,7 @@ use crate::app::look::{Tokens, theme_of};
 use crate::app::words;
 use crate::app::workbench::Hovered;
 use crate::equilibrium::Class;
-use crate::model::part_name;
+use crate::robot::part_name;
 use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::{Axis, Chart, CurveStyle, Quantity, Series, Theme, superscript};
 use eframe::egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};

@@ -134,7 +134,7 @@ fn two_digits(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Problem;
+    use crate::mechanics::Problem;
     use crate::scene::Scene;
 
     const TOOLS: [Tool; 4] = [Tool::Disc, Tool::Box, Tool::Capsule, Tool::Wall];

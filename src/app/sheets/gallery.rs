@@ -10,7 +10,7 @@ use crate::app::words::sentence;
 use crate::app::workbench::{Arrival, Intent, Notice, Workbench};
 use crate::equilibrium::{Progress, Run, Settings, Start};
 use crate::geometry::Vector;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::view::{Bounds, Drawing, Frame, Notes, draw};
 use eframe::egui::emath::TSTransform;
 use eframe::egui::{

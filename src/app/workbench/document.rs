@@ -2,7 +2,7 @@
 //! what is kept. It is always one that can be solved: see [`Document::settle`].
 
 use crate::forces::Stiffness;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::scene::{Scene, SceneError};
 use crate::units::grams;
 use crate::view::Quantity;

@@ -5,7 +5,7 @@ use crate::app::backend::SolverBackend;
 use crate::equilibrium::{Caution, Event, Occurrence, Solution, Status};
 use crate::explore::Path;
 use crate::geometry::Vector;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::solving::{Request, Shape, StartFrom, Update};
 use crate::view::{Drawing, Notes, draw};
 use std::sync::Arc;

@@ -10,7 +10,7 @@ use std::io::{self, ErrorKind, Write};
 use super::arguments::Format;
 use crate::equilibrium::Caution;
 use crate::math::unsigned_zero;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::record::Solution;
 use crate::scene::Scene;
 use crate::scene::limits::shown;

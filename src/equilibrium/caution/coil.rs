@@ -4,7 +4,8 @@
 
 use super::{Caution, Extent};
 use crate::geometry::{Vector, cross};
-use crate::model::{PlanarNode, Problem};
+use crate::mechanics::Problem;
+use crate::robot::PlanarNode;
 
 /// The first place, from the base, at which the robot passes through itself.
 pub(super) fn find(problem: &Problem, nodes: &[PlanarNode]) -> Option<Caution> {

@@ -3,7 +3,8 @@
 
 use super::Caution;
 use crate::geometry::{Core, Obstacle, Vector, cross};
-use crate::model::{Candidate, Line, PlanarNode, Problem};
+use crate::mechanics::Problem;
+use crate::robot::{Candidate, Line, PlanarNode};
 
 /// Depths below this share of the backbone's length are not told, unless the
 /// obstacle is thin: where a chain of nodes bends round an obstacle, the link

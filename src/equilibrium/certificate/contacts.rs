@@ -5,7 +5,8 @@ use super::{Block, Certifier, Gradient, Pair, pair};
 use crate::equilibrium::solution::Contact;
 use crate::geometry::{Edge, Vector, perpendicular};
 use crate::math::greatest;
-use crate::model::{Element, Problem};
+use crate::mechanics::Problem;
+use crate::robot::Element;
 
 impl Certifier {
     /// How far a contact is from touching where its force acts, in metres:

@@ -5,7 +5,7 @@
 use super::*;
 use crate::equilibrium::solution::Class;
 use crate::geometry::{Core, Obstacle};
-use crate::model::{Joins, Line, PlanarNode, Robot, Sizes};
+use crate::robot::{Joins, Line, PlanarNode, Robot, Sizes};
 use nalgebra::{DMatrix, SymmetricEigen, matrix};
 
 /// A backbone and a cable point a node.

@@ -1,9 +1,9 @@
 //! How a run ends: with which status, and with which shape.
 
 use super::{Phase, Run};
+use crate::contact::RowKind;
 use crate::equilibrium::event::Occurrence;
 use crate::equilibrium::status::{Conflict, EndReason, Status};
-use crate::model::RowKind;
 use crate::solver::Settings;
 
 impl Run {

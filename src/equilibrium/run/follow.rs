@@ -9,7 +9,7 @@
 //! step is judged from both ends.
 
 use super::{Run, UNNOTICED};
-use crate::model::RowKind;
+use crate::contact::RowKind;
 use crate::solver::{Control, Settings, Tunnelling};
 
 /// A step that moves no part of a disk farther than this, over the backbone's

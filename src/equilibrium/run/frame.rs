@@ -3,7 +3,7 @@
 
 use super::Run;
 use crate::geometry::Vector;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 use crate::solver::Chain;
 use std::borrow::Cow;
 

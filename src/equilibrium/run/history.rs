@@ -1,8 +1,8 @@
 //! What a run notes on its way: contacts made and lost, jumps.
 
 use super::{Rows, Run};
+use crate::contact::RowKind;
 use crate::equilibrium::event::{Event, Occurrence};
-use crate::model::RowKind;
 use crate::solver::RowId;
 
 /// What a change of a row's standing makes.

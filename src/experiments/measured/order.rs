@@ -4,7 +4,7 @@
 use super::span::{extent, strides};
 use super::{MeasuredFault, MeasuredPoint};
 use crate::geometry::Vector;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 
 /// Points nearer to each other than this, over the length, are one: far below
 /// what any measurement tells apart, far above rounding.

@@ -3,7 +3,7 @@
 
 use super::{MeasuredFault, MeasuredPoint};
 use crate::geometry::Vector;
-use crate::model::Problem;
+use crate::mechanics::Problem;
 
 /// A backbone this many times shorter or longer than its robot is in another
 /// unit: that between cm and mm is 10, and nobody measures a quarter.

@@ -92,7 +92,7 @@ fn room(scene: &Scene) -> Vector {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Problem;
+    use crate::mechanics::Problem;
 
     #[test]
     fn every_new_shape_is_one_that_can_be_solved() {
