@@ -80,7 +80,7 @@
 //! - A faulty scene is a [`scene::SceneError`] that names the field, its value
 //!   and its range. How a solve ended is data, an [`equilibrium::Status`],
 //!   never an error.
-//! - Every converged solution holds an [`equilibrium::Certificate`] that was
+//! - Every converged solution holds an [`mechanics::Certificate`] that was
 //!   recomputed from the shape alone, by code that shares nothing with the
 //!   solver but the obstacles' clearances.
 //! - No shape is reached by moving a part that may touch through an obstacle
@@ -117,7 +117,7 @@
 //! | R_x, R_y, M_r | [`forces::Statics::clamp`] | reaction at the base |
 //! | B | [`forces::Stiffness`] | EI, bending stiffness |
 //! | | [`forces::Statics::tension`] | T = (EI/2l_0) dJ/dl |
-//! | | [`equilibrium::Contact::multiplier`] | λ, how J rises with the clearance asked for |
+//! | | [`contact::Contact::multiplier`] | λ, how J rises with the clearance asked for |
 
 #![warn(clippy::unwrap_used, clippy::expect_used)]
 

@@ -2,7 +2,8 @@
 //! first link, a base that is not at the origin; what of it may fail by itself;
 //! and what is said where there are no forces to tell.
 
-use sinew::equilibrium::{Class, Settings, Solution, Start, Status, solve};
+use sinew::contact::Class;
+use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
 use sinew::forces::{
     Caveat, FitError, LineFit, Loading, Profile, Rates, Resultant, Sections, Statics, Stiffness,
     StiffnessError, Sweep, SweepError, Touch, VirtualWork, VirtualWorkError, Window,

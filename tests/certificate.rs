@@ -4,11 +4,11 @@
 mod one_segment;
 
 use one_segment::{BACKBONE, CABLE, OFFSET, OneSegment, Points};
-use sinew::equilibrium::{
-    Certificate, Certifier, Contact, Settings, Solution, Start, Status, solve,
-};
+use sinew::contact::Contact;
+use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle, Vector, perpendicular};
 use sinew::mechanics::Problem;
+use sinew::mechanics::{Certificate, Certifier};
 use sinew::robot::PlanarNode;
 use sinew::scene::{Candidates, Scene, Shape};
 use sinew::solver::{Chain, Control};

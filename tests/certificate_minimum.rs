@@ -6,9 +6,11 @@
 mod turned;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use sinew::contact::Contact;
 use sinew::contact::RowKind;
-use sinew::equilibrium::{Certifier, Contact, Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle};
+use sinew::mechanics::Certifier;
 use sinew::mechanics::Problem;
 use sinew::scene::Scene;
 use sinew::solver::{Control, Hessian, RowId};

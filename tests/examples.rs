@@ -6,7 +6,8 @@ use std::fs;
 use std::path::Path;
 
 use sinew::app::examples::{EXAMPLES, Example, Group};
-use sinew::equilibrium::{Class, Event, Occurrence, Run, Settings, Solution, Start, Status, solve};
+use sinew::contact::Class;
+use sinew::equilibrium::{Event, Occurrence, Run, Settings, Solution, Start, Status, solve};
 use sinew::forces::{Rates, Sweep, VirtualWork, Window};
 use sinew::mechanics::Problem;
 use sinew::robot::Line;

@@ -1,7 +1,8 @@
 //! Forces against closed forms, finite differences of the energy and the
 //! balance of the whole robot; the virtual-work estimator against its equations.
 
-use sinew::equilibrium::{Class, Settings, Solution, Start, Status, solve};
+use sinew::contact::Class;
+use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
 use sinew::forces::{
     Caveat, FitError, LineFit, Loaded, Loading, Profile, Rates, Sections, Statics, Stiffness,
     Sweep, SweepError, VirtualWork, VirtualWorkError, Window, share_of_tension,

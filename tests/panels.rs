@@ -7,8 +7,8 @@ use egui_kittest::kittest::Queryable;
 use sinew::app::backend::Inline;
 use sinew::app::dock::tables;
 use sinew::app::{Preferences, Selection, Sinew, Workbench};
-use sinew::equilibrium::Certificate;
 use sinew::forces::{Statics, Stiffness};
+use sinew::mechanics::Certificate;
 use sinew::scene::{Candidates, Scene, Shape};
 use sinew::view::{Standing, outcome};
 

@@ -2,7 +2,8 @@
 //! coordinates with an interior point and exact derivatives.
 
 use serde_json::Value;
-use sinew::equilibrium::{Class, Settings, Solution, Start, Status, solve};
+use sinew::contact::Class;
+use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
 use sinew::mechanics::Problem;
 use sinew::robot::Line;
 use sinew::scene::{Scene, Shape};

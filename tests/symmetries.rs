@@ -1,7 +1,8 @@
 //! Properties that hold between two solves: images of a scene, added and
 //! doubled obstacles, warm and cold, and the envelope theorem.
 
-use sinew::equilibrium::{Class, Occurrence, Run, Settings, Solution, Start, Status, solve};
+use sinew::contact::Class;
+use sinew::equilibrium::{Occurrence, Run, Settings, Solution, Start, Status, solve};
 use sinew::geometry::Vector;
 use sinew::mechanics::Problem;
 use sinew::robot::Line;

@@ -6,7 +6,8 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use sinew::equilibrium::{Class, EndReason, Settings, Solution, Start, Status, solve};
+use sinew::contact::Class;
+use sinew::equilibrium::{EndReason, Settings, Solution, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle, Vector};
 use sinew::mechanics::Problem;
 use sinew::report::svg::{self, Size};

@@ -7,7 +7,8 @@ use super::arguments::{Force, Format, Motion};
 use super::input::{self, BadInput};
 use super::output::{csv_row, object, printable, pull_shown, reader};
 use super::{Failure, Outcome, force_text, numbers};
-use crate::equilibrium::{Contact, Settings, Start, Status, solve};
+use crate::contact::Contact;
+use crate::equilibrium::{Settings, Start, Status, solve};
 use crate::forces::{
     Loading, Profile, Rates, Stiffness, Sweep, SweepError, VirtualWork, Window, share_of_tension,
 };

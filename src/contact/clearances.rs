@@ -1,5 +1,7 @@
 //! Where a part of the robot is nearest to an obstacle, and by how much.
 
+use super::surroundings::Surroundings;
+use super::touch::Contact;
 use crate::geometry::{Edge, Obstacle, PointClearance, Vector};
 use crate::robot::{Candidate, Element, Joins, PlanarNode};
 
@@ -93,5 +95,46 @@ impl Candidate {
                 });
             }
         }
+    }
+}
+
+/// The clearance of one candidate from one obstacle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clearance {
+    /// Index of the candidate.
+    pub candidate: usize,
+    /// Index of the obstacle.
+    pub obstacle: usize,
+    /// Signed distance less the candidate's radius, in metres.
+    pub clearance: f64,
+    /// λ, in rad²/m, summed where an edge touches two vertices.
+    pub multiplier: f64,
+}
+
+impl Surroundings {
+    /// The clearance and multiplier of every candidate from every obstacle, by
+    /// candidate; an edge whose inside faces no vertex has none.
+    pub fn clearances(&self, nodes: &[PlanarNode], contacts: &[Contact]) -> Vec<Clearance> {
+        let mut all = Vec::new();
+        for (index, candidate) in self.candidates.iter().enumerate() {
+            for (obstacle_index, obstacle) in self.obstacles.iter().enumerate() {
+                let mut least = f64::INFINITY;
+                candidate.clearances(nodes, obstacle, |_, clearance| {
+                    least = least.min(clearance);
+                });
+                if least.is_finite() {
+                    let touching = contacts.iter().filter(|contact| {
+                        contact.candidate == index && contact.obstacle == obstacle_index
+                    });
+                    all.push(Clearance {
+                        candidate: index,
+                        obstacle: obstacle_index,
+                        clearance: least,
+                        multiplier: touching.map(|contact| contact.multiplier).sum(),
+                    });
+                }
+            }
+        }
+        all
     }
 }

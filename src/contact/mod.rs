@@ -8,8 +8,10 @@ mod from_scene;
 mod motion;
 mod rows;
 mod surroundings;
+mod touch;
 
-pub use clearances::Place;
+pub use clearances::{Clearance, Place};
 pub use from_scene::{covers_base, obstacle};
 pub use rows::RowKind;
 pub use surroundings::Surroundings;
+pub use touch::{Class, Contact, Multipliers};

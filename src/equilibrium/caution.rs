@@ -61,7 +61,7 @@ impl Caution {
         }
         let mut cautions = crossing::find(problem, &solution.nodes);
         cautions.extend(coil::find(problem, &solution.nodes));
-        if solution.certificate.energy_slope * robot.offset < -NO_SLOPE {
+        if solution.energy_slope() * robot.offset < -NO_SLOPE {
             cautions.push(Caution::CablePushes);
         }
         cautions

@@ -15,15 +15,14 @@
 
 mod approach;
 mod caution;
-mod certificate;
 mod event;
 mod run;
 mod solution;
+mod split;
 mod status;
 
 pub use caution::Caution;
-pub use certificate::{Certificate, Certifier};
 pub use event::{Event, Occurrence};
 pub use run::{Progress, Run, Settings, Start, solve};
-pub use solution::{Class, Clearance, Contact, Solution};
+pub use solution::Solution;
 pub use status::{Conflict, EndReason, Status};

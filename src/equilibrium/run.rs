@@ -68,7 +68,8 @@ const LEAST_STEP: f64 = 1e-5;
 /// share of the least one: a pull of 1e-5 of the length moves a slender robot's
 /// tip by thirty times as much, and a needle is thinner than that near its tip.
 const NARROWEST: f64 = 1.0 / 64.0;
-/// Change of a turn that is not noticed, in radians.
+/// Change of a control that is not noticed, over what its mechanics calls a large
+/// one.
 const UNNOTICED: f64 = 2e-3;
 /// Iterations a step's solve may take before the step is halved: one that
 /// follows the branch takes three to eight.
@@ -328,7 +329,8 @@ impl Run {
             self.sqp.start(problem, &controls, &multipliers, settings);
             let outcome = self.sqp.run(problem);
             accepted = outcome == Outcome::Converged
-                && farthest(&controls, &self.sqp.point().controls) < UNNOTICED;
+                && farthest(&controls, &self.sqp.point().controls)
+                    < UNNOTICED * problem.control_scale();
         }
         if accepted {
             self.from = problem.clone();
@@ -419,7 +421,7 @@ impl Run {
         let obstacles = self.from.obstacles().iter().zip(self.to.obstacles());
         let moved = obstacles.map(|(a, b)| a.change(b)).fold(0.0, f64::max);
         self.moving = moved > 0.0;
-        let steps = (pull / (self.settings.pull_step * self.goal.robot().offset))
+        let steps = (pull / (self.settings.pull_step * self.goal.pull_scale()))
             .max(moved / (self.settings.obstacle_step * length));
         self.most_step = 1.0 / steps.max(1.0);
         self.step = self.most_step;

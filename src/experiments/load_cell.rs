@@ -207,7 +207,7 @@ fn multiplier_ratio(distance_mm: f64) -> Result<(f64, f64), ExperimentError> {
     let at = |pull_mm: f64| -> Result<(f64, f64), ExperimentError> {
         let (_, solution) = solved_at(&problem, pull_mm)?;
         let force = solution.contacts.iter().map(|c| c.multiplier).sum();
-        Ok((force, solution.certificate.energy_slope))
+        Ok((force, solution.energy_slope()))
     };
     let (still, datum) = at(begins)?;
     let ratio = |(force, tension): (f64, f64)| (force - still) / (tension - datum);

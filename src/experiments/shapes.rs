@@ -5,7 +5,8 @@ use super::data::{Backbone, Data, PostMultipliers};
 use super::item::{Check, Id, Item};
 use super::scenes::{PaperScene, picture, solved_at};
 use super::window::pull_window;
-use crate::equilibrium::{Class, Solution};
+use crate::contact::Class;
+use crate::equilibrium::Solution;
 use crate::forces::share_of_tension;
 use crate::geometry::Vector;
 use crate::mechanics::Problem;
@@ -152,7 +153,7 @@ fn both_posts(solution: &Solution) -> bool {
     found == BOTH_POSTS.map(|(node, obstacle)| (Line::Cable, node, obstacle))
 }
 
-fn pressing(solution: &Solution) -> impl Iterator<Item = &crate::equilibrium::Contact> {
+fn pressing(solution: &Solution) -> impl Iterator<Item = &crate::contact::Contact> {
     let contacts = solution.contacts.iter();
     contacts.filter(|contact| contact.class == Class::Pressing)
 }

@@ -1,6 +1,7 @@
 //! A robot's equilibria along its pull, as data, and what lies between them.
 
-use crate::equilibrium::{Class, Event, Solution, Status};
+use crate::contact::Class;
+use crate::equilibrium::{Event, Solution, Status};
 use crate::forces::{Sweep, SweepPoint};
 use crate::geometry::Vector;
 use crate::robot::{Line, PlanarNode};
@@ -80,7 +81,7 @@ impl PathState {
             branch,
             tip: solution.tip(),
             energy: solution.energy,
-            energy_slope: solution.certificate.energy_slope,
+            energy_slope: solution.energy_slope(),
             contacts: pressing
                 .map(|contact| Pressing {
                     line: contact.line,

@@ -7,7 +7,8 @@
 use super::statics::Statics;
 use super::stiffness::Stiffness;
 use super::sweep::SweepError;
-use crate::equilibrium::{Class, EndReason, Settings, Solution, Start, Status, solve};
+use crate::contact::Class;
+use crate::equilibrium::{EndReason, Settings, Solution, Start, Status, solve};
 use crate::mechanics::Problem;
 use std::f64::consts::TAU;
 
@@ -52,7 +53,7 @@ struct State {
 
 impl State {
     fn tension(&self, per_bend: f64) -> f64 {
-        per_bend * self.solution.certificate.energy_slope
+        per_bend * self.solution.energy_slope()
     }
 
     fn presses(&self) -> bool {

@@ -1,6 +1,6 @@
 //! The links' forces by the method of sections, from the shape and the contact
 //! forces alone. It reads no multiplier of a link, so that it checks those of
-//! the [certificate](crate::equilibrium::Certificate) too.
+//! the [certificate](crate::mechanics::Certificate) too.
 //!
 //! Cut through segment i and look at what is above: the contact forces there,
 //! the cable link's pull T_i, the backbone link's thrust N_i and the couple C_i
@@ -21,7 +21,8 @@
 //! is shared by its two ends by the rule of the lever.
 
 use super::statics::Resultant;
-use crate::equilibrium::{Contact, Solution};
+use crate::contact::Contact;
+use crate::equilibrium::Solution;
 use crate::geometry::{Vector, cross, perpendicular};
 use crate::mechanics::Problem;
 use crate::robot::{Element, PlanarNode};

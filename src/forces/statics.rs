@@ -19,7 +19,8 @@
 
 use super::sections::{Section, Sections};
 use super::stiffness::Stiffness;
-use crate::equilibrium::{Contact, Solution};
+use crate::contact::Contact;
+use crate::equilibrium::Solution;
 use crate::geometry::{Vector, cross};
 use crate::mechanics::Problem;
 
@@ -113,7 +114,7 @@ impl Statics {
         let moment = (pressed.moment + clamp.moment + cable.moment).abs();
         Self {
             contacts,
-            tension: per_bend * solution.certificate.energy_slope,
+            tension: per_bend * solution.energy_slope(),
             pressed,
             clamp,
             cable,
@@ -133,7 +134,7 @@ impl Statics {
 /// F/T of a contact, a pure number, which needs no stiffness; `None` where the cable carries
 /// no tension.
 pub fn share_of_tension(solution: &Solution, contact: &Contact) -> Option<f64> {
-    let slope = solution.certificate.energy_slope;
+    let slope = solution.energy_slope();
     (slope != 0.0).then(|| contact.multiplier / slope)
 }
 

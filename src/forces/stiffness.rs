@@ -114,7 +114,7 @@ impl Stiffness {
         if !(load > 0.0 && load.is_finite()) {
             return Err(StiffnessError::NoLoad(load));
         }
-        let slope = solution.certificate.energy_slope;
+        let slope = solution.energy_slope();
         if !(slope > 0.0 && slope.is_finite()) {
             return Err(StiffnessError::NoPull(solution.pull));
         }

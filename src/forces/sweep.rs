@@ -1,6 +1,7 @@
 //! A node's place and slope as functions of the pull (eq. 6), by continuation.
 
-use crate::equilibrium::{Class, Run, Settings, Start, Status};
+use crate::contact::Class;
+use crate::equilibrium::{Run, Settings, Start, Status};
 use crate::mechanics::{FreeArc, Problem};
 use crate::units::millimetres;
 
@@ -115,7 +116,7 @@ impl Sweep {
                 x: there.position.x,
                 y: there.position.y,
                 angle: there.angle,
-                energy_slope: solution.certificate.energy_slope,
+                energy_slope: solution.energy_slope(),
                 pressing: pressing.filter(|c| c.class == Class::Pressing).count(),
             });
         }

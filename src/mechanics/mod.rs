@@ -3,9 +3,11 @@
 //! [`Problem::new`] parses a scene once into something that cannot be wrong;
 //! what it gives implements [`crate::solver::Chain`]. SI units throughout.
 
+mod certificate;
 mod four_bar;
 mod from_scene;
 mod problem;
 
-pub use four_bar::{Bend, FourBar, FreeArc, MOST_BEND, MOST_TURN};
+pub use certificate::Certificate;
+pub use four_bar::{Bend, Certifier, FourBar, FreeArc, MOST_BEND, MOST_TURN};
 pub use problem::Problem;

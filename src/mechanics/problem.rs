@@ -4,7 +4,6 @@ use super::four_bar::FourBar;
 use crate::contact::Surroundings;
 use crate::geometry::{Obstacle, Vector};
 use crate::robot::{Candidate, Robot};
-use crate::solver::Control;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::borrow::Cow;
@@ -185,11 +184,6 @@ impl Problem {
     pub fn set_between(&mut self, a: &Self, b: &Self, t: f64) {
         self.set_pull((1.0 - t) * a.pull + t * b.pull);
         self.around.set_between(&a.around, &b.around, t);
-    }
-
-    /// The controls of the free robot, straight or an arc: no turn anywhere.
-    pub fn free_controls(&self) -> Vec<Control<1>> {
-        vec![Control::zeros(); self.robot.segments]
     }
 }
 

@@ -6,7 +6,7 @@
 
 use serde::Serialize;
 
-use crate::equilibrium::Contact;
+use crate::contact::Contact;
 use crate::forces::{LineFit, Loaded as Reached};
 use crate::math::shortest;
 use crate::units::{grams, millimetres, per_millimetre};

@@ -2,12 +2,11 @@
 
 use serde::Serialize;
 
-use crate::equilibrium::{
-    Caution as Finding, Certificate as Conditions, Contact as Touch, Event as Happening,
-    Occurrence, Run,
-};
+use crate::contact::Contact as Touch;
+use crate::equilibrium::{Caution as Finding, Event as Happening, Occurrence, Run};
 use crate::forces::Stiffness;
 use crate::geometry::Vector;
+use crate::mechanics::Certificate as Conditions;
 use crate::robot::Line;
 use crate::units::{millimetres, per_millimetre};
 
@@ -98,7 +97,7 @@ pub enum Side {
 }
 
 /// The conditions of an equilibrium, each as what is left of it, without unit;
-/// see [`crate::equilibrium::Certificate`].
+/// see [`crate::mechanics::Certificate`].
 #[derive(Serialize)]
 pub struct Certificate {
     /// Of the balance of forces at every node.
@@ -203,7 +202,7 @@ impl Solution {
     pub fn of(run: &Run, stiffness: Option<Stiffness>) -> Option<Self> {
         let (problem, solution) = (run.problem(), run.solution());
         let offset = problem.robot().offset;
-        let slope = solution.certificate.energy_slope;
+        let slope = solution.energy_slope();
         let cautions = Finding::all(problem, solution);
         let state = Self {
             schema: SCHEMA,

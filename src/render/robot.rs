@@ -5,7 +5,8 @@
 use super::mesh::{Bounds3, Flat, Material, Mesh, Point, Triangles, Turned, lifted};
 use super::outline::{self, Corner};
 use super::plate::{Plate, Template};
-use crate::equilibrium::{Class, Contact, Solution};
+use crate::contact::{Class, Contact};
+use crate::equilibrium::Solution;
 use crate::geometry::{Core, Obstacle, Vector};
 use crate::mechanics::Problem;
 use crate::robot::{PlanarNode, Robot};

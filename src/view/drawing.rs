@@ -4,7 +4,7 @@
 use super::bounds::Bounds;
 use super::path::{Path, clip_half_plane};
 use super::quantity::Quantity;
-use crate::equilibrium::Class;
+use crate::contact::Class;
 use crate::geometry::Vector;
 
 /// A picture of a robot among obstacles.

@@ -3,7 +3,8 @@
 
 use super::drawing::Standing;
 use super::quantity::Quantity;
-use crate::equilibrium::{Certificate, Solution, Status};
+use crate::equilibrium::{Solution, Status};
+use crate::mechanics::Certificate;
 
 /// What became of a solve, in a word or two, such as `Branch ended`.
 pub fn outcome(solution: &Solution) -> &'static str {

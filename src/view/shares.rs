@@ -1,7 +1,8 @@
 //! How hard contacts and disks press, as shares of what presses hardest: the
 //! same for every picture.
 
-use crate::equilibrium::{Class, Contact, Solution};
+use crate::contact::{Class, Contact};
+use crate::equilibrium::Solution;
 use crate::robot::Line;
 
 /// The contacts of a solution, measured by the greatest of their multipliers.

@@ -7,7 +7,7 @@
 //! background whatever their colour.
 
 use super::drawing::{Role, Standing};
-use crate::equilibrium::Class;
+use crate::contact::Class;
 
 /// A choice of colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

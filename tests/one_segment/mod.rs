@@ -1,7 +1,7 @@
 //! The smallest robot, in any assembly of its one linkage, held by a post with
 //! a force that balances by hand.
 
-use sinew::equilibrium::{Class, Contact};
+use sinew::contact::{Class, Contact};
 use sinew::geometry::{Core, Obstacle, Vector, perpendicular};
 use sinew::mechanics::Problem;
 use sinew::robot::{Candidate, Element, Joins, Line, PlanarNode, Robot, Sizes};

@@ -9,7 +9,7 @@ use crate::app::widgets::{
 };
 use crate::app::words;
 use crate::app::workbench::{Hovered, Selection, Workbench};
-use crate::equilibrium::Class;
+use crate::contact::Class;
 use crate::forces::Statics;
 use crate::robot::part_name;
 use crate::scene::limits::{COORDINATE, Limits, RADIUS};

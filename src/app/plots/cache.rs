@@ -2,7 +2,7 @@
 
 use super::data::PlotData;
 use super::marks::{self, Happening};
-use crate::equilibrium::Class;
+use crate::contact::Class;
 use crate::explore::{LoadCurve, Path, usual_end};
 use crate::forces::{Rates, Sweep, VirtualWork, VirtualWorkError, Window};
 use crate::robot::Line;
@@ -178,7 +178,7 @@ impl PlotCache {
 impl Shape {
     fn fill(&mut self, data: &PlotData<'_>) {
         let solution = data.solution;
-        let multiplier = |contact: &crate::equilibrium::Contact| match contact.class {
+        let multiplier = |contact: &crate::contact::Contact| match contact.class {
             Class::Pressing => per_millimetre(contact.multiplier),
             Class::Grazing => 0.0,
         };

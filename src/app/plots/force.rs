@@ -10,7 +10,7 @@ use super::pane::{
 use crate::app::look::{Tokens, theme_of};
 use crate::app::words;
 use crate::app::workbench::Hovered;
-use crate::equilibrium::Class;
+use crate::contact::Class;
 use crate::explore::LoadPoint;
 use crate::scene::ForceReading;
 use crate::units::{grams, millimetres, newtons};
@@ -42,7 +42,7 @@ fn present(data: &PlotData<'_>, cache: &PlotCache) -> Option<PlotPoint> {
     let contacts = data.solution.contacts.iter();
     let pressing = contacts.filter(|contact| contact.class == Class::Pressing);
     let force = per_bend * pressing.map(|contact| contact.multiplier).sum::<f64>();
-    let load = per_bend * data.solution.certificate.energy_slope - curve.datum;
+    let load = per_bend * data.solution.energy_slope() - curve.datum;
     (curve.contact.is_some() && force > 0.0).then(|| PlotPoint::new(grams(load), grams(force)))
 }
 

@@ -10,7 +10,7 @@ use super::pane::{
 use crate::app::look::{Tokens, theme_of};
 use crate::app::words;
 use crate::app::workbench::Hovered;
-use crate::equilibrium::Class;
+use crate::contact::Class;
 use crate::robot::part_name;
 use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::{Axis, Chart, CurveStyle, Quantity, Series, Theme, superscript};

@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use super::{Labels, paragraph, pull_shown};
-use crate::equilibrium::Certificate as Conditions;
 use crate::math::decimals;
+use crate::mechanics::Certificate as Conditions;
 use crate::record::{Caution, Contact, Event, Solution, Timing};
 use crate::units::{RAD2_PER_MM, degrees, metres};
 

@@ -69,31 +69,21 @@ impl Run {
         conflicts
     }
 
-    /// The segment that the solve left pressing against the limit of its
-    /// linkage. Eq. 5 knows no such limit: a shape that needs it is none of
-    /// its equilibria.
+    /// The segment that the solve left pressing against its limit.
     pub(super) fn locked_segment(&self) -> Option<usize> {
-        let count = self.now.obstacles().len();
         let mut rows = self.sqp.point().rows.iter().zip(self.sqp.multipliers());
-        rows.find_map(|(row, multiplier)| match RowKind::of(row.id, count) {
-            RowKind::TurnLimit { segment, .. } if *multiplier > 0.0 => Some(segment),
-            _ => None,
+        rows.find_map(|(row, multiplier)| {
+            let segment = self.now.limited_segment(row.id)?;
+            (*multiplier > 0.0).then_some(segment)
         })
     }
 
     /// The end of the branch at the anchor: where a segment locks, that is the
     /// reason.
     pub(super) fn end_of_branch(&self, reason: EndReason, locked: Option<usize>) -> Status {
-        let turns = self.anchor.controls.iter().map(|control| control[0].abs());
-        let most = turns.enumerate().fold(
-            (0, 0.0),
-            |most, next| {
-                if next.1 > most.1 { next } else { most }
-            },
-        );
         Status::BranchEnded {
             reason: locked.map_or(reason, |_| EndReason::LinkageLimit),
-            segment: locked.unwrap_or(most.0 + 1),
+            segment: locked.unwrap_or_else(|| self.now.most_strained(&self.anchor.controls)),
         }
     }
 }

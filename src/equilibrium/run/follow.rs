@@ -16,7 +16,8 @@ use crate::solver::{Control, Settings, Tunnelling};
 /// length, follows the branch: it is none that anybody would call a jump: at 180 mm, 0.02 mm. A robot that is
 /// wedged between obstacles may have nothing but such steps before it.
 const UNSEEN: f64 = 1e-4;
-/// Any other is refused where a segment turns by more than this, in radians.
+/// Any other is refused where a control changes by more than this, over what its
+/// mechanics calls a large change.
 const MOST_TURNED: f64 = 0.3;
 /// Share of the predicted turn that the rest of the solve may add, besides
 /// what is not noticed.
@@ -44,10 +45,12 @@ impl Run {
         let rest = farthest(&self.predicted, end);
         let (from, to) = (&self.anchor.nodes, &self.sqp.point().nodes);
         let seen = self.now.around().greatest_motion(from, to) > UNSEEN * self.now.length();
-        if turned <= UNNOTICED || !seen {
+        let scale = self.now.control_scale();
+        let unnoticed = UNNOTICED * scale;
+        if turned <= unnoticed || !seen {
             return true;
         }
-        if turned > MOST_TURNED || rest > UNPREDICTED * predicted + UNNOTICED {
+        if turned > MOST_TURNED * scale || rest > UNPREDICTED * predicted + unnoticed {
             return false;
         }
         self.find_pressing();
@@ -107,7 +110,7 @@ impl Run {
             led = led.max(tangent.amax());
             rest = rest.max((start - end - tangent).amax());
         }
-        rest <= share * led + UNNOTICED
+        rest <= share * led + UNNOTICED * self.now.control_scale()
     }
 
     fn find_pressing(&mut self) {

@@ -3,10 +3,13 @@
 //! and one turn a segment is free. The solver's cost is Σ (β/β*)², see
 //! [`FourBar`].
 
+mod branch;
+mod certifier;
 mod chain;
 mod free_arc;
 mod linkage;
 
+pub use certifier::Certifier;
 pub use chain::Bend;
 pub use free_arc::FreeArc;
 pub use linkage::{FourBar, MOST_BEND, MOST_TURN};

@@ -40,7 +40,7 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     row::fact(ui, "Contacts", "", &Quantity::fixed(count, 0, ""));
     let written = Quantity::significant(per_millimetre(total), "rad²/mm");
     row::fact(ui, "Multipliers", "Σ λ", &written);
-    let tension = solution.certificate.energy_slope;
+    let tension = solution.energy_slope();
     let forces = [total, tension].map(|it| bench.document.force(it));
     if let [Some(total), Some(tension)] = forces {
         row::fact(ui, "Forces", "Σ F", &total);

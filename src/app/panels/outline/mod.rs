@@ -8,7 +8,7 @@ use crate::app::look::{Tokens, colour, icon, icon_font, icons, theme_of};
 use crate::app::widgets::row::{self, Standing};
 use crate::app::words;
 use crate::app::workbench::{Hovered, Selection, Workbench};
-use crate::equilibrium::Class;
+use crate::contact::Class;
 use crate::scene::Scene;
 use eframe::egui::{
     self, Align, Align2, Button, EventFilter, Id, Key, Layout, Modifiers, Rect, Response, RichText,

@@ -3,7 +3,7 @@
 //! Hessian, the motions that the links allow, and the sign of its pivots.
 
 use super::*;
-use crate::equilibrium::solution::Class;
+use crate::contact::Class;
 use crate::geometry::{Core, Obstacle};
 use crate::robot::{Joins, Line, PlanarNode, Robot, Sizes};
 use nalgebra::{DMatrix, SymmetricEigen, matrix};

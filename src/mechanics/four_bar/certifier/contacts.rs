@@ -2,7 +2,7 @@
 //! curvature in the paper's coordinates.
 
 use super::{Block, Certifier, Gradient, Pair, pair};
-use crate::equilibrium::solution::Contact;
+use crate::contact::Contact;
 use crate::geometry::{Edge, Vector, perpendicular};
 use crate::math::greatest;
 use crate::mechanics::Problem;
