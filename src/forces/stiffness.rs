@@ -118,7 +118,7 @@ impl Stiffness {
         if !(slope > 0.0 && slope.is_finite()) {
             return Err(StiffnessError::NoPull(solution.pull));
         }
-        Self::new(2.0 * problem.segment().backbone() * load / slope)
+        Self::new(2.0 * problem.robot().segment_length() * load / slope)
     }
 
     /// EI, in N·m².
@@ -129,6 +129,6 @@ impl Stiffness {
     /// EI/2l_0, in N·m: what one rad² of Σ β² costs. Times a multiplier in
     /// rad²/m it is a force in N.
     pub fn per_bend(self, problem: &Problem) -> f64 {
-        self.0 / (2.0 * problem.segment().backbone())
+        self.0 / (2.0 * problem.robot().segment_length())
     }
 }

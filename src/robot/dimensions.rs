@@ -33,6 +33,11 @@ impl Robot {
         Self::TOUCHING * self.length
     }
 
+    /// The length of a segment's backbone, in metres.
+    pub fn segment_length(&self) -> f64 {
+        self.length / self.segments as f64
+    }
+
     /// Whether a node carries a disk.
     pub fn has_disk(&self, node: usize) -> bool {
         node.is_multiple_of(self.segments_per_bay)

@@ -112,7 +112,9 @@ pub(super) fn show(
 
 pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {
     table.write_record(["segment", "bend_deg", "shear_deg", "free_bend_deg"])?;
-    let free = cell(degrees(data.problem.segment().free_bend()));
+    let free = cell(degrees(
+        data.problem.robot().free_arc(data.problem.pull()).bend,
+    ));
     let angles = data.solution.bends.iter().zip(&data.solution.shears);
     for (index, (bend, shear)) in angles.enumerate() {
         let segment = (index + 1).to_string();

@@ -222,7 +222,7 @@ impl Shape {
         }
         steps(&mut self.bends, &solution.bends);
         steps(&mut self.shears, &solution.shears);
-        self.free_bend = degrees(data.problem.segment().free_bend());
+        self.free_bend = degrees(data.problem.robot().free_arc(data.problem.pull()).bend);
     }
 }
 
