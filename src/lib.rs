@@ -74,7 +74,7 @@
 //!   same scene gives the same answer, bit for bit, on every run, processor and page
 //!   (`tests/same_bits.rs`).
 //! - Only [`geometry`] knows parry; the rest sees outlines and clearances.
-//! - [`solver`] knows no lengths, angles or obstacles.
+//! - [`solver`] knows no lengths, angles or obstacles, in words either.
 //! - Lengths are in metres and angles in radians. A name that carries a unit
 //!   (`length_mm`) is at the edge: scene files, messages, reports.
 //! - A faulty scene is a [`scene::SceneError`] that names the field, its value

@@ -237,6 +237,28 @@ fn every_part_inside_an_obstacle_is_seen() {
     check(bar, &body, 5.0);
 }
 
+/// The base is not among what may touch: a scene whose obstacles cover it is
+/// refused, and one that is dragged over it on the way to a clear place is not the
+/// shape's fault.
+#[test]
+fn an_obstacle_over_the_base_alone_is_not_the_shapes() {
+    let mut scene = scene(BODY, 0.0);
+    let base_mm = scene.robot.base_mm;
+    scene.obstacles.truncate(1);
+    let mut problem = Problem::new(&scene).unwrap();
+    let at = Vector::from(base_mm.map(|mm| 1e-3 * mm));
+    let points = points(&rolled_out(&problem, &problem.free_controls()), 0.008);
+    let disc = |height: f64| {
+        let middle = at + Vector::new(0.0, height);
+        Obstacle::new(Core::Point, 3e-3, middle, 0.0)
+    };
+    // Below the base, and reaching over its backbone point by 1 mm.
+    problem.set_obstacle(0, disc(-2e-3));
+    assert_eq!(failed(&problem, &points, &[]), [""; 0]);
+    problem.set_obstacle(0, disc(4e-3));
+    assert_eq!(failed(&problem, &points, &[]), ["penetration"]);
+}
+
 fn scene_listed() -> Vec<sinew::scene::Listed> {
     Scene::from_toml(LOAD_CELL).unwrap().contact.listed
 }

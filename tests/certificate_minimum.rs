@@ -3,9 +3,10 @@
 //! on needles and slips off. The certificate, in the paper's coordinates, and
 //! a dense Hessian, by differences in the turns, see it at the same radius.
 
-mod turned;
+mod rolled_out;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use rolled_out::at;
 use sinew::contact::Contact;
 use sinew::contact::RowKind;
 use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
@@ -14,7 +15,6 @@ use sinew::mechanics::Certifier;
 use sinew::mechanics::Problem;
 use sinew::scene::Scene;
 use sinew::solver::{Control, Hessian, RowId};
-use turned::at;
 
 /// The solver's row of a contact and its multiplier there.
 fn row(problem: &Problem, contact: &Contact) -> (RowId, f64) {

@@ -1,189 +1,91 @@
 //! Every derivative the solver uses, against finite differences and against a
-//! dense factorisation, on the robot's body among all shapes.
+//! dense factorisation: on the robot's body among all shapes, and by the same
+//! checks on chains of other dimensions whose stages differ.
 
+mod any_chain;
 mod crowded;
-mod turned;
+mod rolled_out;
 
+use any_chain::doctored::{Doctored, Flaw};
+use any_chain::made_up::MadeUp;
+use any_chain::recharted::{Recharted, RowsIn};
+use any_chain::{
+    Tolerances, check_gradients, check_hessian, check_kkt, check_stiffening, minimum, nudged,
+};
 use crowded::{controls, crowded};
-use nalgebra::{DMatrix, DVector};
+use rolled_out::at;
 use sinew::contact::RowKind;
 use sinew::mechanics::Problem;
 use sinew::scene::Scene;
-use sinew::solver::{
-    Chain, Control, Hessian, Outcome, Riccati, RowId, Settings as SqpSettings, Source, Sqp,
+use sinew::solver::{Chain, Control, Hessian, Riccati, RowId};
+
+/// For values of order 1 or less, in chains of some ten stages.
+const ALLOWED: Tolerances = Tolerances {
+    // Third derivatives are of order 1e3 near sharp corners, rounding leaves
+    // 1e-17/1e-6 in metres.
+    slope: 1e-8,
+    // Differencing leaves 1e-7 of the Hessian.
+    curvature: 1e-6,
+    // Some ten units in the last place at each stage.
+    rounding: 1e-12,
+    // The same, and the condition that a stiffness of 1e4 makes.
+    stiffened: 1e-11,
+    // What differencing leaves of the Hessian, times steps of some 1e-4, with
+    // the condition of H to spare.
+    step: 1e-9,
+    multiplier: 1e-6,
 };
-use turned::{Planar, at};
 
-fn nudged(controls: &[Control<1>], index: usize, by: f64) -> Vec<Control<1>> {
-    let mut moved = controls.to_vec();
-    moved[index][0] += by;
-    moved
-}
+/// The stiffness added: so large that the gradient by which it is added counts.
+const STIFFNESS: f64 = 1e4;
 
-/// Multipliers for the rows of points at the same place: one a row by id.
-fn multiplier(id: RowId) -> f64 {
-    1.0 + ((id.0 % 97) as f64) / 97.0
-}
-
-/// Central differences of step 1e-6 err by 1e-12 of the third derivative, of
-/// order 1e3 near sharp corners, and by rounding of 1e-17/1e-6 in metres.
-#[test]
-fn rows_and_cost_have_exact_gradients() {
-    let problem = crowded();
-    let controls = controls(&problem);
-    let here = at(&problem, &controls);
-    let h = 1e-6;
+/// Rows of points, of edges, and of limits.
+fn kinds(problem: &Problem, rows: &[RowId]) -> [usize; 3] {
     let mut kinds = [0; 3];
-    for row in &here.rows {
-        match RowKind::of(row.id, problem.obstacles().len()) {
+    for id in rows {
+        match RowKind::of(*id, problem.obstacles().len()) {
             RowKind::Contact { vertex: None, .. } => kinds[0] += 1,
             RowKind::Contact { .. } => kinds[1] += 1,
             RowKind::TurnLimit { .. } => kinds[2] += 1,
         }
-        let gradient = here.row_gradient(row);
-        for (index, exact) in gradient.iter().enumerate() {
-            let value = |by: f64| {
-                let moved = at(&problem, &nudged(&controls, index, by));
-                moved.rows.iter().find(|r| r.id == row.id).map(|r| r.value)
-            };
-            let (Some(after), Some(before)) = (value(h), value(-h)) else {
-                continue;
-            };
-            let slope = (after - before) / (2.0 * h);
-            let exact = exact[0];
-            assert!(
-                (slope - exact).abs() < 1e-8,
-                "{row:?} {index}: {slope} {exact}"
-            );
-        }
     }
+    kinds
+}
+
+#[test]
+fn the_robots_rows_and_cost_have_exact_gradients() {
+    let problem = crowded();
+    let compared = check_gradients(&problem, &controls(&problem), ALLOWED).unwrap();
+    let kinds = kinds(&problem, &compared);
     assert!(kinds.iter().all(|count| *count >= 2), "{kinds:?}");
-    for index in 0..controls.len() {
-        let cost = |by: f64| at(&problem, &nudged(&controls, index, by)).cost;
-        let slope = (cost(h) - cost(-h)) / (2.0 * h);
-        let exact = here.stages[index].cost_gradient[0];
-        assert!((slope - exact).abs() < 1e-8 * (1.0 + exact.abs()));
-    }
-}
-
-/// The multipliers of a point's rows: those kept have one, all others none.
-fn multipliers(point: &Planar, kept: &[RowId]) -> Vec<f64> {
-    let of = |id| {
-        if kept.contains(&id) {
-            multiplier(id)
-        } else {
-            0.0
-        }
-    };
-    point.rows.iter().map(|row| of(row.id)).collect()
-}
-
-/// The Hessian of the Lagrangian by differencing its exact gradient, with the
-/// multipliers and the set of rows held fixed.
-fn dense_hessian(problem: &Problem, controls: &[Control<1>], kept: &[RowId]) -> DMatrix<f64> {
-    let n = controls.len();
-    let h = 1e-6;
-    let gradient = |controls: &[Control<1>]| {
-        let point = at(problem, controls);
-        let multipliers = multipliers(&point, kept);
-        let mut hessian = Hessian::default();
-        let gradient = hessian.gradient(&point, &multipliers);
-        DVector::from_iterator(n, gradient.iter().map(|g| g[0]))
-    };
-    DMatrix::from_columns(
-        &(0..n)
-            .map(|index| {
-                let after = gradient(&nudged(controls, index, h));
-                let before = gradient(&nudged(controls, index, -h));
-                (after - before) / (2.0 * h)
-            })
-            .collect::<Vec<_>>(),
-    )
-}
-
-/// The weights that pick one row.
-fn only(index: usize, count: usize) -> Vec<f64> {
-    (0..count)
-        .map(|i| f64::from(u8::from(i == index)))
-        .collect()
-}
-
-/// Rows that are there on both sides of a small change, so that differences
-/// see only smooth changes.
-fn steady_rows(problem: &Problem, controls: &[Control<1>]) -> Vec<RowId> {
-    let mut kept: Vec<RowId> = at(problem, controls).rows.iter().map(|r| r.id).collect();
-    for index in 0..controls.len() {
-        for by in [1e-6, -1e-6] {
-            let moved = at(problem, &nudged(controls, index, by));
-            kept.retain(|id| moved.rows.iter().any(|row| row.id == *id));
-        }
-    }
-    kept
 }
 
 #[test]
-fn the_riccati_recursion_inverts_the_hessian() {
+fn the_recursion_inverts_the_robots_hessian() {
     let problem = crowded();
-    let controls = controls(&problem);
-    let kept = steady_rows(&problem, &controls);
-    let point = at(&problem, &controls);
-    let multipliers = multipliers(&point, &kept);
-    let mut hessian = Hessian::default();
-    hessian.gradient(&point, &multipliers);
-    hessian.assemble(&problem, &point, &multipliers);
-    let dense = dense_hessian(&problem, &controls, &kept);
-    // The shift makes any Hessian positive, so the two can be compared whole.
-    let shift = 10.0;
-    let shifted = &dense + shift * DMatrix::identity(18, 18);
-    let mut riccati = Riccati::default();
-    riccati
-        .factor(&point.stages, &hessian, shift, 1e-9)
-        .unwrap();
-    let (mut du, mut dz) = (Vec::new(), Vec::new());
-    for (index, row) in point.rows.iter().enumerate() {
-        let weights = only(index, point.rows.len());
-        riccati.solve(&point, Source::Rows(&weights), &mut du, &mut dz);
-        let found = DVector::from_iterator(18, du.iter().map(|d| d[0]));
-        let gradient = point.row_gradient(row);
-        let right = DVector::from_iterator(18, gradient.iter().map(|g| g[0]));
-        let residual = (&shifted * &found - &right).amax();
-        // Differencing leaves 1e-7 of the Hessian.
-        assert!(residual < 1e-6 * (1.0 + right.amax()), "{residual}");
-        // The states' perturbation belongs to the controls'.
-        assert!((row.change(&du, &dz) - right.dot(&found)).abs() < 1e-12);
-    }
-    let none = vec![0.0; point.rows.len()];
-    riccati.solve(&point, Source::Step(&none), &mut du, &mut dz);
-    let found = DVector::from_iterator(18, du.iter().map(|d| d[0]));
-    let right = DVector::from_iterator(18, point.stages.iter().map(|s| -s.cost_gradient[0]));
-    assert!((&shifted * &found - &right).amax() < 1e-6 * right.amax());
+    let compared = check_hessian(&problem, &controls(&problem), ALLOWED).unwrap();
+    let kinds = kinds(&problem, &compared);
+    assert!(kinds.iter().all(|count| *count >= 2), "{kinds:?}");
 }
 
 #[test]
-fn stiffening_adds_the_outer_product_of_the_gradient() {
+fn stiffening_adds_the_outer_product_of_the_robots_gradients() {
     let problem = crowded();
-    let controls = controls(&problem);
-    let point = at(&problem, &controls);
-    let none = vec![0.0; point.rows.len()];
-    for (index, row) in point.rows.iter().enumerate() {
-        let mut hessian = Hessian::default();
-        hessian.gradient(&point, &none);
-        hessian.assemble(&problem, &point, &none);
-        hessian.stiffen(&point, row, 1e4);
-        let mut riccati = Riccati::default();
-        riccati.factor(&point.stages, &hessian, 0.0, 1e-12).unwrap();
-        let gradient = point.row_gradient(row);
-        let g = DVector::from_iterator(18, gradient.iter().map(|g| g[0]));
-        let mut dense = 1e4 * &g * g.transpose();
-        for i in 0..18 {
-            dense[(i, i)] += point.stages[i].cost_curvature[(0, 0)];
-        }
-        let (mut du, mut dz) = (Vec::new(), Vec::new());
-        let weights = only(index, point.rows.len());
-        riccati.solve(&point, Source::Rows(&weights), &mut du, &mut dz);
-        let found = DVector::from_iterator(18, du.iter().map(|d| d[0]));
-        assert!((dense * found - &g).amax() < 1e-11, "{row:?}");
-    }
+    let compared = check_stiffening(&problem, &controls(&problem), STIFFNESS, ALLOWED).unwrap();
+    let kinds = kinds(&problem, &compared);
+    assert!(kinds.iter().all(|count| *count >= 2), "{kinds:?}");
+}
+
+/// Near where the robot rests on two discs.
+#[test]
+fn an_iteration_solves_the_robots_dense_kkt_system() {
+    let scene = Scene::from_toml(include_str!("../assets/scenes/two-discs.toml")).unwrap();
+    let problem = Problem::new(&scene).unwrap();
+    let (least, pressing) = minimum(&problem, &problem.free_controls());
+    assert_eq!(pressing.len(), 2);
+    let near = nudged(&nudged(&least, 2, 2e-4), 11, -3e-4);
+    let step = check_kkt(&problem, &near, &pressing, ALLOWED).unwrap();
+    assert!(step > 1e-4, "{step}");
 }
 
 #[test]
@@ -205,76 +107,148 @@ fn a_pivot_that_is_not_positive_is_found_where_it_is() {
     assert_eq!(problem.stages(), du.len());
 }
 
-/// One iteration from near an equilibrium is the Newton step of the dense KKT
-/// system [H −Gᵀ; G 0] [d; λ] = [−∇f; −g] of its pressing rows.
+/// Where a chain is checked: anywhere, and near a minimum with rows that press.
+struct Places<const NU: usize> {
+    anywhere: Vec<Control<NU>>,
+    near: Vec<Control<NU>>,
+    pressing: Vec<(RowId, f64)>,
+}
+
+fn places<const NX: usize, const NU: usize>(chain: &MadeUp<NX, NU>) -> Places<NU> {
+    let anywhere = chain.controls();
+    let (least, pressing) = minimum(chain, &anywhere);
+    let near = least.iter().zip(&anywhere).map(|(u, d)| u + 1e-3 * d);
+    Places {
+        near: near.collect(),
+        anywhere,
+        pressing,
+    }
+}
+
+/// The four checks' outcomes, with how many rows each compared.
+fn outcomes<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
+    chain: &C,
+    places: &Places<NU>,
+) -> [Result<usize, String>; 4] {
+    let Places {
+        anywhere,
+        near,
+        pressing,
+    } = places;
+    let count = |rows: Vec<RowId>| rows.len();
+    [
+        check_gradients(chain, anywhere, ALLOWED).map(count),
+        check_hessian(chain, anywhere, ALLOWED).map(count),
+        check_stiffening(chain, anywhere, STIFFNESS, ALLOWED).map(count),
+        check_kkt(chain, near, pressing, ALLOWED).map(|_| pressing.len()),
+    ]
+}
+
+fn check_made_up<const NX: usize, const NU: usize>() {
+    let chain: MadeUp<NX, NU> = MadeUp { stages: 7 };
+    let places = places(&chain);
+    for outcome in outcomes(&chain, &places) {
+        let compared = outcome.unwrap();
+        assert!(compared >= 2, "{NX} {NU}: {compared}");
+    }
+}
+
+/// More states than controls, fewer, and one of each.
 #[test]
-fn an_iteration_solves_the_dense_kkt_system() {
-    let scene = Scene::from_toml(include_str!("../assets/scenes/two-discs.toml")).unwrap();
-    let problem = Problem::new(&scene).unwrap();
-    let mut sqp: Sqp<Problem, 3, 1> = Sqp::default();
-    let settings = SqpSettings::default();
-    sqp.start(&problem, &problem.free_controls(), &[], settings);
-    assert_eq!(sqp.run(&problem), Outcome::Converged);
-    let rows = sqp.point().rows.iter().zip(sqp.multipliers());
-    let active: Vec<(RowId, f64)> = rows
-        .filter(|(_, multiplier)| **multiplier > 0.0)
-        .map(|(row, multiplier)| (row.id, *multiplier))
-        .collect();
-    assert_eq!(active.len(), 2);
+fn chains_of_other_dimensions_pass_the_same_checks() {
+    check_made_up::<4, 2>();
+    check_made_up::<2, 3>();
+    check_made_up::<1, 1>();
+}
 
-    let near = nudged(&nudged(&sqp.point().controls, 2, 2e-4), 11, -3e-4);
-    let point = at(&problem, &near);
-    let gradient_at = |controls: &[Control<1>]| {
-        let point = at(&problem, controls);
-        let multipliers: Vec<f64> = point
-            .rows
-            .iter()
-            .map(|row| {
-                active
-                    .iter()
-                    .find(|(id, _)| *id == row.id)
-                    .map_or(0.0, |a| a.1)
-            })
-            .collect();
-        let mut hessian = Hessian::default();
-        let gradient = hessian.gradient(&point, &multipliers);
-        DVector::from_iterator(18, gradient.iter().map(|g| g[0]))
+/// A flaw in a first derivative shows in the gradients, and in every comparison
+/// with what the gradients' differences or the values say; only a row's gradient
+/// in its control, a constant, leaves all second derivatives as they are.
+#[test]
+fn a_derivative_that_is_off_by_a_hundredth_is_found() {
+    let chain: MadeUp<4, 2> = MadeUp { stages: 7 };
+    let places = places(&chain);
+    for flaw in Flaw::ALL {
+        let expected = match flaw {
+            Flaw::ByState
+            | Flaw::ByControl
+            | Flaw::CostGradient
+            | Flaw::RowBefore
+            | Flaw::RowAfter => [true; 4],
+            Flaw::RowControl => [true, false, true, false],
+            Flaw::CostCurvature => [false, true, true, true],
+            Flaw::DynamicsByState
+            | Flaw::DynamicsMixed
+            | Flaw::DynamicsByControl
+            | Flaw::CurvatureBefore
+            | Flaw::CurvatureAcross
+            | Flaw::CurvatureAfter => [false, true, false, true],
+        };
+        let doctored = Doctored {
+            chain: &chain,
+            flaw,
+        };
+        let found = outcomes(&doctored, &places).map(|outcome| outcome.is_err());
+        assert_eq!(found, expected, "{flaw:?}");
+    }
+}
+
+#[test]
+fn a_derivative_of_the_robot_that_is_off_by_a_hundredth_is_found() {
+    let problem = crowded();
+    let controls = controls(&problem);
+    for flaw in Flaw::ALL {
+        let doctored = Doctored {
+            chain: &problem,
+            flaw,
+        };
+        let gradients = check_gradients(&doctored, &controls, ALLOWED);
+        let hessian = check_hessian(&doctored, &controls, ALLOWED);
+        assert!(gradients.is_err() || hessian.is_err(), "{flaw:?}");
+    }
+}
+
+/// The derivatives of what is a function of the controls are the same whatever
+/// a node's perturbations are taken to be.
+#[test]
+fn charts_of_the_nodes_do_not_matter() {
+    let chain: MadeUp<4, 2> = MadeUp { stages: 7 };
+    let places = places(&chain);
+    let recharted = Recharted {
+        chain: &chain,
+        rows_in: RowsIn::TheSame,
     };
-    let mut kkt = DMatrix::zeros(20, 20);
-    let mut right = DVector::zeros(20);
-    for index in 0..18 {
-        let after = gradient_at(&nudged(&near, index, 1e-6));
-        let before = gradient_at(&nudged(&near, index, -1e-6));
-        kkt.view_mut((0, index), (18, 1))
-            .copy_from(&((after - before) / 2e-6));
-        right[index] = -point.stages[index].cost_gradient[0];
+    for outcome in outcomes(&recharted, &places) {
+        assert!(outcome.unwrap() >= 2);
     }
-    for (column, (id, _)) in active.iter().enumerate() {
-        let row = point.rows.iter().find(|row| row.id == *id).unwrap();
-        for (index, gradient) in point.row_gradient(row).iter().enumerate() {
-            kkt[(index, 18 + column)] = -gradient[0];
-            kkt[(18 + column, index)] = gradient[0];
+    let (here, there) = (
+        at(&chain, &places.anywhere),
+        at(&recharted, &places.anywhere),
+    );
+    for (row, other) in here.rows.iter().zip(&there.rows) {
+        assert!((row.after - other.after).amax() > 1e-2);
+        let (gradient, same) = (here.row_gradient(row), there.row_gradient(other));
+        for (gradient, same) in gradient.iter().zip(&same) {
+            assert!((gradient - same).amax() < ALLOWED.rounding);
         }
-        right[18 + column] = -row.value;
     }
-    let dense = kkt.lu().solve(&right).unwrap();
+    let problem = crowded();
+    let recharted = Recharted {
+        chain: &problem,
+        rows_in: RowsIn::TheSame,
+    };
+    check_hessian(&recharted, &controls(&problem), ALLOWED).unwrap();
+}
 
-    sqp.start(&problem, &near, &active, settings);
-    sqp.step(&problem);
-    for index in 0..18 {
-        let step = sqp.point().controls[index][0] - near[index][0];
-        assert!(
-            (step - dense[index]).abs() < 1e-9,
-            "{index}: {step} {}",
-            dense[index]
-        );
-    }
-    for (column, (id, _)) in active.iter().enumerate() {
-        let rows = sqp.point().rows.iter().zip(sqp.multipliers());
-        let found = rows
-            .filter(|(row, _)| row.id == *id)
-            .map(|(_, m)| *m)
-            .sum::<f64>();
-        assert!((found - dense[18 + column]).abs() < 1e-6 * found);
-    }
+/// Two charts with the same tangents give the same gradients, and no Hessian.
+#[test]
+fn rows_in_another_chart_than_the_dynamics_are_found() {
+    let chain: MadeUp<4, 2> = MadeUp { stages: 7 };
+    let places = places(&chain);
+    let recharted = Recharted {
+        chain: &chain,
+        rows_in: RowsIn::Tangent,
+    };
+    let found = outcomes(&recharted, &places).map(|outcome| outcome.is_err());
+    assert_eq!(found, [false, true, false, true]);
 }

@@ -1,7 +1,8 @@
 //! The layers of the library and of its window, read from the source: imports
 //! lead downward only, what only the top may do (IO, clocks, threads) stays
-//! there, and the window's files do not all hang together. Also what is easily
-//! forgotten in a file: its first sentence, its length.
+//! there, the window's files do not all hang together, and the solver speaks of
+//! nothing but chains. Also what is easily forgotten in a file: its first
+//! sentence, its length.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -98,6 +99,32 @@ const SYSTEMS_OWN: &[&str] = &[
 
 /// The layers that draw on a screen, where the last digits mean nothing.
 const SCREEN: &[&str] = &["app", "render"];
+
+/// What a chain may stand for, and the solver does not know, in names and
+/// comments either.
+const NOT_THE_SOLVERS: &[&str] = &[
+    "angle",
+    "backbone",
+    "cable",
+    "clearance",
+    "contact",
+    "disc",
+    "disk",
+    "friction",
+    "geometric",
+    "geometry",
+    "length",
+    "metre",
+    "millimetre",
+    "obstacle",
+    "planar",
+    "radian",
+    "robot",
+    "segment",
+    "shear",
+    "tendon",
+    "tension",
+];
 
 /// Lines of a file in src.
 const LONGEST: usize = 500;
@@ -569,6 +596,64 @@ fn what_is_computed_is_the_same_on_every_machine() {
     assert_eq!(wrong, [""; 0]);
     assert_eq!(systems_own("x.sin() + libm::cos(x)"), ["sin"]);
     assert_eq!(systems_own("xs.iter().copied().map(f64::exp)"), ["exp"]);
+}
+
+/// The words of [`NOT_THE_SOLVERS`] in a text, whether one or many of each, by
+/// themselves or within a name.
+fn not_the_solvers(text: &str) -> Vec<&'static str> {
+    let mut words = vec![String::new()];
+    let mut last = ' ';
+    for character in text.chars() {
+        let starts = !last.is_alphabetic() || last.is_lowercase() && character.is_uppercase();
+        if starts {
+            words.push(String::new());
+        }
+        if let (true, Some(word)) = (character.is_alphabetic(), words.last_mut()) {
+            word.extend(character.to_lowercase());
+        }
+        last = character;
+    }
+    let told = |known: &&&str| {
+        words
+            .iter()
+            .any(|word| word.strip_suffix('s').unwrap_or(word) == **known)
+    };
+    NOT_THE_SOLVERS.iter().filter(told).copied().collect()
+}
+
+#[test]
+fn the_solver_speaks_of_chains_only() {
+    let mut wrong = Vec::new();
+    let mut read = 0;
+    for source in sources() {
+        if source.modules().first() == Some(&"solver") {
+            read += 1;
+            let words = not_the_solvers(&source.text);
+            wrong.extend(
+                words
+                    .iter()
+                    .map(|word| format!("{} says {word}", source.path)),
+            );
+        }
+    }
+    assert!(read > 10, "{read}");
+    assert_eq!(wrong, [""; 0]);
+}
+
+#[test]
+fn a_word_that_is_not_the_solvers_would_be_found() {
+    let check = |text: &str, expected: &[&str]| {
+        assert_eq!(not_the_solvers(text), expected, "{text}");
+    };
+    check(
+        "// The robot's links keep their lengths.",
+        &["length", "robot"],
+    );
+    check("fn cable_length(&self) -> f64", &["cable", "length"]);
+    check("struct ContactRow;", &["contact"]);
+    check("const LEAST_ANGLE: f64", &["angle"]);
+    check("let robot2 = 1;", &["robot"]);
+    check("a rectangle, tangled in discussions", &[]);
 }
 
 #[test]

@@ -14,8 +14,8 @@
 //! cov(dz_k, row) = h = Ā_k Σ_{k−1} a + B_k Q_uu⁻¹ b
 //! ```
 //!
-//! Nothing of size rows × n is ever stored, so a fine robot that rolls over an
-//! obstacle with hundreds of nodes still costs O(n) time and memory.
+//! Nothing of size rows × n is ever stored, so hundreds of active rows still
+//! cost O(n) time and memory.
 
 use super::chain::{Chain, Control, Row, State};
 use super::point::Point;

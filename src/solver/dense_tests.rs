@@ -1,10 +1,10 @@
-//! The recursions along a chain against dense matrices: gradients, the Hessian
-//! with every part of it, its stiffening, its inverse, and the way off where it
-//! is not positive.
+//! The recursion where the Hessian is not positive, against dense matrices of
+//! every part of it. Where it is, tests/derivatives.rs compares it with
+//! differences.
 
-use super::linear::{CONTROLS, Linear, STAGES, blocks, cost_gradient, gradient, hessian, point};
-use super::{Control, Hessian, Point, Riccati, Source};
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use super::linear::{CONTROLS, Linear, STAGES, blocks, gradient, hessian, point};
+use super::{Control, Point, Riccati};
+use nalgebra::{DVector, SymmetricEigen};
 
 const LINEAR: Linear = Linear { bent: 0.3 };
 
@@ -23,70 +23,6 @@ fn multipliers(point: &Point<Linear, 3, 2>) -> Vec<f64> {
 
 fn dense(controls: &[Control<2>]) -> DVector<f64> {
     DVector::from_iterator(CONTROLS, controls.iter().flat_map(|u| u.iter().copied()))
-}
-
-#[test]
-fn gradients_are_those_of_the_dense_chain() {
-    let point = point();
-    let multipliers = multipliers(&point);
-    let mut expected = cost_gradient(&point);
-    for (row, multiplier) in point.rows.iter().zip(&multipliers) {
-        let gradient = gradient(&point, row);
-        assert!((dense(&point.row_gradient(row)) - &gradient).amax() < 1e-12);
-        expected -= *multiplier * gradient;
-    }
-    let mut hessian = Hessian::default();
-    let found = dense(hessian.gradient(&point, &multipliers));
-    assert!((found - expected).amax() < 1e-11);
-}
-
-/// H d = b for every row and for a Newton step, whatever H is made of.
-fn check_inverse(riccati: &mut Riccati<3, 2>, point: &Point<Linear, 3, 2>, all: &DMatrix<f64>) {
-    let (mut du, mut dz) = (Vec::new(), Vec::new());
-    let weights: Vec<f64> = (0..point.rows.len())
-        .map(|row| libm::cos(row as f64))
-        .collect();
-    let mut right = DVector::zeros(CONTROLS);
-    for (row, weight) in point.rows.iter().zip(&weights) {
-        right += *weight * gradient(point, row);
-    }
-    riccati.solve(point, Source::Rows(&weights), &mut du, &mut dz);
-    assert!((all * dense(&du) - &right).amax() < 1e-9);
-    for row in &point.rows {
-        let change = gradient(point, row).dot(&dense(&du));
-        assert!((row.change(&du, &dz) - change).abs() < 1e-11);
-    }
-    riccati.solve(point, Source::Step(&weights), &mut du, &mut dz);
-    right -= cost_gradient(point);
-    assert!((all * dense(&du) - &right).amax() < 1e-9);
-}
-
-#[test]
-fn the_recursion_inverts_the_dense_hessian() {
-    let point = point();
-    let multipliers = multipliers(&point);
-    let all = hessian(&LINEAR, &point, &multipliers);
-    let shift = 1.0 - SymmetricEigen::new(all.clone()).eigenvalues.min();
-    let blocks = blocks(&LINEAR, &point, &multipliers);
-    let mut riccati = Riccati::default();
-    riccati.factor(&point.stages, &blocks, shift, 1e-9).unwrap();
-    let all = all + shift * DMatrix::identity(CONTROLS, CONTROLS);
-    check_inverse(&mut riccati, &point, &all);
-}
-
-#[test]
-fn stiffening_adds_a_rows_outer_product() {
-    let point = point();
-    let none = vec![0.0; point.rows.len()];
-    for row in &point.rows {
-        let mut blocks = blocks(&LINEAR, &point, &none);
-        blocks.stiffen(&point, row, 7.0);
-        let g = gradient(&point, row);
-        let all = hessian(&LINEAR, &point, &none) + 7.0 * &g * g.transpose();
-        let mut riccati = Riccati::default();
-        riccati.factor(&point.stages, &blocks, 0.0, 1e-9).unwrap();
-        check_inverse(&mut riccati, &point, &all);
-    }
 }
 
 /// The shift at which the factor succeeds is that at which the least

@@ -22,7 +22,8 @@
 //! | S | Schur complement G H⁻¹ Gᵀ of the working set | `WorkingSet` |
 //! | ν | exact penalty, the upper bound of λ | `penalty` |
 //!
-//! This layer knows no robot: no lengths, no angles, no obstacles.
+//! What a state, a control or a row measures is for the chain to know: this
+//! layer has one unit for all rows, [`Chain::row_scale`], and none else.
 
 mod chain;
 mod covariance;

@@ -6,7 +6,7 @@
 //!
 //! The merit function is Σ L + μ Σ max(0, −g) with μ above every multiplier.
 //! A full step that raises it is first corrected to second order (curved
-//! obstacles would otherwise cut every step short), then halved, straight or
+//! rows would otherwise cut every step short), then halved, straight or
 //! along the arc of that correction.
 //!
 //! Where the exact Hessian is not positive definite it is made so without
@@ -75,7 +75,7 @@ pub enum Outcome {
     IterationLimit,
     /// No step along the search direction improves the merit.
     Stalled,
-    /// Every step ahead leads through an obstacle.
+    /// Every step ahead leads over what [`Chain::passes_through`] names.
     Blocked,
     /// The starting controls are outside the chain's domain.
     OutsideDomain,
@@ -108,8 +108,8 @@ pub struct Iteration {
 }
 
 /// Penalties ν tried in turn, over the rows' scale. Costs are of order 1 a
-/// stage; the multipliers of a robot that leans on something reach some
-/// hundreds, those of one that is nearly locked some ten thousand.
+/// stage; the multipliers of rows that press reach some hundreds, and where they
+/// leave the chain hardly a way to move some ten thousand.
 const PENALTIES: [f64; 2] = [1e4, 1e6];
 /// Stiffnesses ρ tried in turn, times the greatest multiplier (at least 1 over
 /// the rows' scale) over the rows' scale.

@@ -24,7 +24,7 @@ mod tests;
 
 /// A row depends on those in the set where its pivot falls below this share
 /// of its diagonal: 1e-11 is well above the rounding of S (condition · 1e-16)
-/// and well below any geometric angle between rows that matters.
+/// and well below that of any two rows whose difference matters.
 const DEPENDENT: f64 = 1e-11;
 
 /// Where a row stands.

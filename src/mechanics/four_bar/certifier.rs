@@ -156,7 +156,16 @@ impl Certifier {
                         obstacle.edge_distance(start, end)
                     }
                 };
-                deepest = greatest(deepest, candidate.radius - distance);
+                // The base cannot move, and is no candidate: a scene that covers it
+                // is refused. Of the links that start there, what is deeper counts.
+                let at_base = match candidate.element {
+                    Element::Link { .. } if candidate.node == 1 => {
+                        let start = obstacle.clearance(start).distance;
+                        (candidate.radius - start).max(0.0)
+                    }
+                    _ => 0.0,
+                };
+                deepest = greatest(deepest, candidate.radius - distance - at_base);
             }
         }
         deepest

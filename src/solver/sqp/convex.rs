@@ -48,7 +48,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
             return stiffness;
         }
         // The stiffness stays: without it the shift would have to outweigh
-        // the curvature across the contacts too, and slow down the slide along
+        // the curvature across the held rows too, and slow down the slide along
         // them that leads away from a fold.
         let mut shift = self.shift.max(LEAST_SHIFT);
         while self.try_factor(shift).is_err() && shift < 1e15 {

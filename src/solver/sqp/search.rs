@@ -29,7 +29,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         let bound = self.penalty(chain);
         if self.merit_penalty > OVERWEIGHT * most && self.relaxations < RELAXATIONS {
             // The rows have given way: a weight far above the multipliers
-            // would only make every step hug the obstacles' curvature.
+            // would only make every step hug the rows' curvature.
             self.relaxations += 1;
             self.merit_penalty = 0.0;
         }
@@ -120,9 +120,8 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
 
     /// Bends the trial, a part of the straight step, along an arc: the
     /// correction belongs to the full step and grows with the square of the part
-    /// (Mayne and Polak, 1982). Along the straight step a robot that slides on a
-    /// strongly curved obstacle would be let go only as far as the obstacle is
-    /// flat.
+    /// (Mayne and Polak, 1982). Along the straight step a slide along a strongly
+    /// curved row would be let go only as far as the row is flat.
     fn follow_arc(&mut self, chain: &C, amount: f64) {
         let square = amount * amount;
         for (moved, by) in self.trial.controls.iter_mut().zip(&self.correction) {
