@@ -168,8 +168,8 @@ fn problems_are_alike_or_not() {
     let check = |other: &Problem, resembles: bool, in_pull: bool| {
         assert_eq!(here.resembles(other), resembles);
         assert_eq!(other.resembles(&here), resembles);
-        assert_eq!(here.differs_in_pull_only(other), in_pull);
-        assert_eq!(other.differs_in_pull_only(&here), in_pull);
+        assert_eq!(here.same_but_for_pull(other), in_pull);
+        assert_eq!(other.same_but_for_pull(&here), in_pull);
     };
     let of = |scene: &Scene| Problem::new(scene).unwrap();
     check(&here, true, true);

@@ -34,7 +34,7 @@ impl Plane {
 
 impl Chain<2, 1> for Plane {
     type Node = Vector2<f64>;
-    type Bend = ();
+    type Kept = ();
 
     fn stages(&self) -> usize {
         2

@@ -4,10 +4,17 @@
 use super::surroundings::Surroundings;
 use crate::robot::{Element, PlanarNode};
 
+/// Motions below this share of the backbone's length are not asked whether they
+/// dip: 0.2 mm of 180, below which a step follows its branch anyhow.
+const LEAST_DIP: f64 = 1e-3;
+/// How near a vertex an edge may be at either end of a motion and still be on its
+/// own side, over the backbone's length: the rounding of the nodes' places.
+const ROUNDING: f64 = 1e-12;
+
 impl Surroundings {
     /// Whether a point of the robot dips into an obstacle on the straight way
     /// between two shapes, and the obstacle's normal there turns by more than
-    /// an angle with the cosine `most_turn(candidate, obstacle)`. The
+    /// an angle with the cosine `least_cosine(candidate, obstacle)`. The
     /// obstacles move meanwhile from where they are here to where they are in
     /// `later`. Points that move less than a thousandth of the robot's length
     /// are not looked at: at a sharp corner every motion would count.
@@ -16,9 +23,9 @@ impl Surroundings {
         later: &Self,
         from: &[PlanarNode],
         to: &[PlanarNode],
-        most_turn: impl Fn(usize, usize) -> f64,
+        least_cosine: impl Fn(usize, usize) -> f64,
     ) -> bool {
-        let least = 1e-3 * self.length;
+        let least = LEAST_DIP * self.length;
         let moved = self.greatest_motion(from, to);
         let mut pairs = self.obstacles.iter().zip(&later.obstacles).enumerate();
         pairs.any(|(index, (now, then))| {
@@ -31,7 +38,7 @@ impl Surroundings {
                     };
                     let way = (candidate.ends(from).0, candidate.ends(to).0);
                     now.point_dips(then, way, candidate.radius, (least, moved))
-                        .is_some_and(|turned| turned < most_turn(number, index))
+                        .is_some_and(|turned| turned < least_cosine(number, index))
                 })
         })
     }
@@ -40,8 +47,7 @@ impl Surroundings {
     /// where it is here to where it is in `later`, while the robot's nodes
     /// move straight.
     pub fn motion_passes(&self, later: &Self, from: &[PlanarNode], to: &[PlanarNode]) -> bool {
-        // Rounding of the nodes' places.
-        let tolerance = 1e-12 * self.length;
+        let tolerance = ROUNDING * self.length;
         let moved = self.greatest_motion(from, to);
         let mut pairs = self.obstacles.iter().zip(&later.obstacles);
         pairs.any(|(now, then)| {
@@ -70,18 +76,14 @@ impl Surroundings {
     }
 
     /// What no point of a disk that may touch moves farther than between two
-    /// shapes, in metres: at most twice what some point does.
+    /// shapes, in metres, and at most twice what some point does: twice the motion
+    /// of its node or, if that is more, its lever times the change of the disk's
+    /// direction.
     pub fn greatest_motion(&self, from: &[PlanarNode], to: &[PlanarNode]) -> f64 {
-        2.0 * self.greatest_shift(from, to)
-    }
-
-    /// Half of what no point of a disk moves farther than: its node's motion,
-    /// or its lever times the change of the disk's direction if that is more.
-    fn greatest_shift(&self, from: &[PlanarNode], to: &[PlanarNode]) -> f64 {
-        let shift = |(a, b): (&PlanarNode, &PlanarNode)| {
+        let half = |(a, b): (&PlanarNode, &PlanarNode)| {
             let moved = (b.position - a.position).norm_squared();
             moved.max(self.reach * self.reach * (b.disk - a.disk).norm_squared())
         };
-        from.iter().zip(to).map(shift).fold(0.0, f64::max).sqrt()
+        2.0 * from.iter().zip(to).map(half).fold(0.0, f64::max).sqrt()
     }
 }

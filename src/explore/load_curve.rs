@@ -67,7 +67,7 @@ impl LoadCurve {
                 pull: state.pull,
                 branch: state.branch,
                 load: per_bend * state.energy_slope - datum,
-                total: per_bend * state.pressure(),
+                total: per_bend * state.total_multiplier(),
                 by_obstacle: obstacles.iter().map(on).collect(),
             }
         });

@@ -96,7 +96,7 @@ impl PathState {
     }
 
     /// Σ λ of what presses, in rad²/m.
-    pub fn pressure(&self) -> f64 {
+    pub fn total_multiplier(&self) -> f64 {
         self.contacts.iter().map(|c| c.multiplier).sum()
     }
 

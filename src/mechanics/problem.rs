@@ -168,9 +168,9 @@ impl Problem {
         self.robot.moves_like(&other.robot) && self.around.resembles(&other.around)
     }
 
-    /// Whether another problem is this one but for the pull and for sizes that
-    /// touch nothing.
-    pub fn differs_in_pull_only(&self, other: &Self) -> bool {
+    /// Whether another problem is this one, but perhaps for the pull and for sizes
+    /// that touch nothing.
+    pub fn same_but_for_pull(&self, other: &Self) -> bool {
         self.robot.moves_like(&other.robot) && self.around.same(&other.around)
     }
 

@@ -30,7 +30,7 @@ pub fn rows(path: &Path) -> impl Iterator<Item = [f64; COLUMNS.len()]> + '_ {
             state.energy,
             per_millimetre(state.energy_slope),
             state.contacts.len() as f64,
-            per_millimetre(state.pressure()) + 0.0,
+            per_millimetre(state.total_multiplier()) + 0.0,
         ]
     })
 }

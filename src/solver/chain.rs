@@ -136,7 +136,7 @@ pub trait Chain<const NX: usize, const NU: usize> {
     type Node: Clone + std::fmt::Debug;
     /// What a stage keeps from its evaluation for its second derivative; k too,
     /// where stages differ.
-    type Bend: Clone + std::fmt::Debug;
+    type Kept: Clone + std::fmt::Debug;
 
     /// n, at least 1.
     fn stages(&self) -> usize;
@@ -167,13 +167,13 @@ pub trait Chain<const NX: usize, const NU: usize> {
         k: usize,
         from: &Self::Node,
         control: &Control<NU>,
-    ) -> (Self::Node, Stage<NX, NU>, Self::Bend);
+    ) -> (Self::Node, Stage<NX, NU>, Self::Kept);
 
-    /// The second derivative of `adjoint`ᵀF_k where [`Chain::stage`] left `bend`;
+    /// The second derivative of `adjoint`ᵀF_k where [`Chain::stage`] left `kept`;
     /// `adjoint` is a gradient in the chart of the node that the stage led to.
     fn dynamics_curvature(
         &self,
-        bend: &Self::Bend,
+        kept: &Self::Kept,
         adjoint: &State<NX>,
     ) -> DynamicsCurvature<NX, NU>;
 

@@ -74,7 +74,7 @@ impl<const NX: usize, const NU: usize> Hessian<NX, NU> {
         self.stages.clear();
         self.stages.reserve(n);
         for k in 1..=n {
-            let mut block = chain.dynamics_curvature(&point.bends[k - 1], &self.adjoints[k]);
+            let mut block = chain.dynamics_curvature(&point.kept[k - 1], &self.adjoints[k]);
             block.by_control += point.stages[k - 1].cost_curvature;
             self.stages.push(block);
         }

@@ -30,7 +30,7 @@ fn symmetric<const N: usize>(of: impl Fn(usize, usize) -> f64) -> SMatrix<f64, N
 
 impl Chain<3, 2> for Linear {
     type Node = ();
-    type Bend = usize;
+    type Kept = usize;
 
     fn stages(&self) -> usize {
         STAGES

@@ -14,7 +14,7 @@ pub struct Point<C: Chain<NX, NU>, const NX: usize, const NU: usize> {
     /// Stages 1 … n.
     pub stages: Vec<Stage<NX, NU>>,
     /// What each stage keeps for its second derivative.
-    pub bends: Vec<C::Bend>,
+    pub kept: Vec<C::Kept>,
     /// The rows near or beyond their bounds, by id.
     pub rows: Vec<Row<NX, NU>>,
     /// Σ L. Not finite outside the chain's domain.
@@ -27,7 +27,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Default for Point<C, NX
             controls: Vec::new(),
             nodes: Vec::new(),
             stages: Vec::new(),
-            bends: Vec::new(),
+            kept: Vec::new(),
             rows: Vec::new(),
             cost: f64::NAN,
         }
@@ -43,22 +43,22 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Point<C, NX, NU> {
         assert_eq!(self.controls.len(), n, "one control a stage");
         self.nodes.clear();
         self.stages.clear();
-        self.bends.clear();
+        self.kept.clear();
         self.rows.clear();
         self.nodes.reserve(n + 1);
         self.stages.reserve(n);
-        self.bends.reserve(n);
+        self.kept.reserve(n);
         self.cost = 0.0;
         self.nodes.push(chain.base());
         for k in 1..=n {
-            let (node, stage, bend) = chain.stage(k, &self.nodes[k - 1], &self.controls[k - 1]);
+            let (node, stage, kept) = chain.stage(k, &self.nodes[k - 1], &self.controls[k - 1]);
             self.cost += stage.cost;
             if !self.cost.is_finite() {
                 return;
             }
             self.nodes.push(node);
             self.stages.push(stage);
-            self.bends.push(bend);
+            self.kept.push(kept);
         }
         chain.rows(&self.nodes, &self.controls, &mut self.rows);
     }

@@ -50,7 +50,7 @@ pub struct Doctored<'a, C> {
 
 impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Doctored<'_, C> {
     type Node = C::Node;
-    type Bend = C::Bend;
+    type Kept = C::Kept;
 
     fn stages(&self) -> usize {
         self.chain.stages()
@@ -73,7 +73,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Docto
         k: usize,
         from: &C::Node,
         control: &Control<NU>,
-    ) -> (C::Node, Stage<NX, NU>, C::Bend) {
+    ) -> (C::Node, Stage<NX, NU>, C::Kept) {
         let (node, mut stage, bend) = self.chain.stage(k, from, control);
         match self.flaw {
             Flaw::ByState => stage.by_state *= WRONG,
@@ -85,7 +85,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Docto
         (node, stage, bend)
     }
 
-    fn dynamics_curvature(&self, bend: &C::Bend, adjoint: &State<NX>) -> DynamicsCurvature<NX, NU> {
+    fn dynamics_curvature(&self, bend: &C::Kept, adjoint: &State<NX>) -> DynamicsCurvature<NX, NU> {
         let mut curvature = self.chain.dynamics_curvature(bend, adjoint);
         match self.flaw {
             Flaw::DynamicsByState => curvature.by_state *= WRONG,

@@ -84,7 +84,7 @@ impl<const NX: usize, const NU: usize> MadeUp<NX, NU> {
 impl<const NX: usize, const NU: usize> Chain<NX, NU> for MadeUp<NX, NU> {
     type Node = State<NX>;
     /// The stage, and the sines of its waves.
-    type Bend = (usize, [f64; 2]);
+    type Kept = (usize, [f64; 2]);
 
     fn stages(&self) -> usize {
         self.stages

@@ -61,7 +61,7 @@ pub struct Kept<B, const NX: usize, const NU: usize> {
 
 impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Recharted<'_, C> {
     type Node = C::Node;
-    type Bend = Kept<C::Bend, NX, NU>;
+    type Kept = Kept<C::Kept, NX, NU>;
 
     fn stages(&self) -> usize {
         self.chain.stages()
@@ -84,7 +84,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Recha
         k: usize,
         from: &C::Node,
         control: &Control<NU>,
-    ) -> (C::Node, Stage<NX, NU>, Self::Bend) {
+    ) -> (C::Node, Stage<NX, NU>, Self::Kept) {
         let (node, mut stage, bend) = self.chain.stage(k, from, control);
         let kept = Kept {
             k,
@@ -100,7 +100,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Recha
 
     fn dynamics_curvature(
         &self,
-        kept: &Self::Bend,
+        kept: &Self::Kept,
         adjoint: &State<NX>,
     ) -> DynamicsCurvature<NX, NU> {
         let (before, after) = (Chart::<NX>::at(kept.k - 1), Chart::<NX>::at(kept.k));

@@ -74,7 +74,7 @@ impl Live {
     /// Asks for a shape, in the place of whatever is being solved.
     /// `span` is that of [`Request::span`].
     pub fn ask(&mut self, problem: &Problem, from: StartFrom, span: (f64, f64)) {
-        if !self.asked.differs_in_pull_only(problem) {
+        if !self.asked.same_but_for_pull(problem) {
             self.path_is_current = false;
             self.course += 1;
         }

@@ -69,7 +69,7 @@ impl Run {
     /// better part of its front: chords that are no motion along a branch.
     pub(super) fn dips(&self) -> bool {
         let count = self.now.obstacles().len();
-        let most_turn = |candidate, obstacle| {
+        let least_cosine = |candidate, obstacle| {
             let kind = RowKind::Contact {
                 candidate,
                 obstacle,
@@ -86,7 +86,7 @@ impl Run {
         let (from, to) = (&self.anchor.nodes, &self.sqp.point().nodes);
         self.here
             .around()
-            .motion_dips(self.now.around(), from, to, most_turn)
+            .motion_dips(self.now.around(), from, to, least_cosine)
     }
 
     /// Whether the tangent at the step's end, drawn back over the whole step,

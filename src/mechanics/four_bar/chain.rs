@@ -23,7 +23,7 @@ pub struct Bend {
 
 impl Chain<3, 1> for Problem {
     type Node = PlanarNode;
-    type Bend = Bend;
+    type Kept = Bend;
 
     fn stages(&self) -> usize {
         self.robot().segments
