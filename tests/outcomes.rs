@@ -458,6 +458,32 @@ fn what_only_touches_grazes_and_shares_nothing() {
     }
 }
 
+/// An obstacle that comes or goes and touches nothing is no event: what presses
+/// on others goes on pressing, whatever their places in the list.
+#[test]
+fn contacts_outlast_a_change_of_the_list() {
+    let posts = [disc(33.0, 89.0, 12.5), disc(59.0, 140.0, 15.0)];
+    let both = problem(4.9, &posts);
+    let mut run = Run::new(&both, Start::Straight, Settings::default());
+    let before = run.finish().clone();
+    assert_eq!(before.contacts.len(), 2);
+    let [lower, upper] = posts;
+    let away = disc(-100.0, 50.0, 5.0);
+    for shapes in [
+        vec![away.clone(), upper.clone(), lower.clone()],
+        vec![lower.clone(), upper.clone()],
+        vec![upper, away, lower],
+    ] {
+        run.retarget(&problem(4.9, &shapes));
+        let after = run.finish();
+        assert_eq!(after.events, []);
+        assert_eq!(after.contacts.len(), 2);
+        for (contact, was) in after.contacts.iter().zip(&before.contacts) {
+            assert!((contact.multiplier / was.multiplier - 1.0).abs() < 1e-6);
+        }
+    }
+}
+
 /// Obstacles that stay are known by where they are, wherever in the list: one
 /// that is new over the robot pushes it aside, and no other moves.
 #[test]

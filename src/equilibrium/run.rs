@@ -18,16 +18,16 @@ mod ending;
 mod follow;
 mod frame;
 mod history;
+mod meet;
 mod settings;
 mod step;
 
 pub use settings::Settings;
 
-use super::approach;
 use super::event::{Event, Occurrence};
 use super::solution::Solution;
 use super::status::{EndReason, Status};
-use crate::geometry::{Obstacle, Vector};
+use crate::geometry::Vector;
 use crate::mechanics::Problem;
 use crate::robot::PlanarNode;
 use crate::solver::{
@@ -36,6 +36,7 @@ use crate::solver::{
 };
 use follow::farthest;
 use frame::at_base;
+use meet::reordered;
 
 /// What a run starts from.
 #[derive(Clone, Copy, Debug)]
@@ -308,6 +309,7 @@ impl Run {
             let (node, ..) = here.stage(k, &self.anchor.nodes[k - 1], &Control::zeros());
             self.anchor.nodes.push(node);
         }
+        self.anchor.rows = Rows::default();
         self.solution.nodes.clone_from(&self.anchor.nodes);
         self.solution.move_by(self.origin);
         self.meet_obstacles(&[], 0.0);
@@ -362,52 +364,6 @@ impl Run {
         self.solution.nodes.clone_from(&self.sqp.point().nodes);
         self.solution.move_by(self.origin);
         self.phase = Phase::Direct;
-    }
-
-    /// Begins at the anchor, at a pull, with the goal's obstacles where they
-    /// are `known` to be or, where none of the kind is known, grown from
-    /// nothing if they overlap.
-    fn meet_obstacles(&mut self, known: &[Obstacle], pull: f64) {
-        let mut first = self.goal.clone();
-        first.set_pull(pull);
-        let mut overlapping = false;
-        for (index, obstacle) in self.goal.obstacles().iter().enumerate() {
-            // One that stands where it stood is that one, wherever it is in
-            // the list; others move only where the list is as long as before.
-            let stands = known.iter().any(|here| stands(here, obstacle));
-            let moves = known.len() == self.goal.obstacles().len()
-                && !self
-                    .goal
-                    .obstacles()
-                    .iter()
-                    .any(|other| stands_at(known, index, other));
-            let here = known
-                .get(index)
-                .filter(|here| moves && here.resembles(obstacle));
-            if stands {
-                continue;
-            }
-            if let Some(here) = here {
-                first.set_obstacle(index, here.clone());
-            } else if let Some(seed) = approach::seed(&self.goal, obstacle, &self.anchor.nodes) {
-                overlapping = true;
-                first.set_obstacle(index, seed.obstacle);
-                let what = Occurrence::PushedAside {
-                    obstacle: index,
-                    direction: seed.direction,
-                };
-                self.solution.events.push(Event { pull, what });
-            }
-        }
-        self.from = first;
-        self.to.clone_from(&self.goal);
-        if overlapping {
-            self.to.set_pull(pull);
-        }
-        // Names of rows count the obstacles.
-        self.anchor.rows = Rows::default();
-        self.grown_first = overlapping;
-        self.begin_leg(!overlapping);
     }
 
     fn begin_leg(&mut self, last_leg: bool) {
@@ -476,22 +432,4 @@ impl Run {
         let active = rows.filter(|(_, multiplier)| **multiplier > 0.0);
         multipliers.extend(active.map(|(row, multiplier)| (row.id, *multiplier)));
     }
-}
-
-/// Whether two obstacles are the same at the same place.
-fn stands(a: &Obstacle, b: &Obstacle) -> bool {
-    a.resembles(b) && a.change(b) == 0.0
-}
-
-/// Whether the known obstacle of this index stands where another one does.
-fn stands_at(known: &[Obstacle], index: usize, other: &Obstacle) -> bool {
-    known.get(index).is_some_and(|here| stands(here, other))
-}
-
-/// Whether some obstacle stands where another one of the list stood.
-fn reordered(now: &Problem, then: &Problem) -> bool {
-    let pairs = now.obstacles().iter().zip(then.obstacles());
-    let moved = |(a, b): &(&Obstacle, &Obstacle)| !stands(a, b);
-    let mut moving = pairs.clone().filter(moved);
-    moving.any(|(_, b)| now.obstacles().iter().any(|a| stands(a, b)))
 }
