@@ -25,6 +25,7 @@ pub struct PointClearance {
 impl Obstacle {
     /// Whether a point is certainly farther from the surface than `margin`;
     /// cheap, and false for some points that are.
+    #[inline]
     pub fn is_beyond(&self, point: Vector, margin: f64) -> bool {
         let away = point - self.position();
         match self.core {

@@ -138,6 +138,7 @@ impl Obstacle {
     }
 
     /// On which side of the edge's line the core is, for the better part.
+    #[inline]
     fn side(&self, edge: &Edge) -> Option<EdgeSide> {
         let start = edge.start;
         let count = self.vertices.len();

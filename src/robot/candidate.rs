@@ -92,6 +92,7 @@ impl Candidate {
     }
 
     /// The candidate's point, or its two ends, from the nodes.
+    #[inline]
     pub fn ends(&self, nodes: &[PlanarNode]) -> (Vector, Vector) {
         let node = &nodes[self.node];
         match self.element {
