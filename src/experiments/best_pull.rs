@@ -17,14 +17,15 @@
 
 use super::shape_fit::rms_up_to;
 use super::{Measured, ShapeFit, compare};
-use crate::equilibrium::{Run, Settings, Solution, Start, Status, solve};
+use crate::equilibrium::{Progress, Run, Settings, Solution, Start, Status};
 use crate::geometry::Vector;
 use crate::mechanics::Problem;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::rc::Rc;
 
 /// Why there is no best pull.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum ShapeError {
     /// The robot does not even get away from its start.
     #[error("no pull of this robot can be solved for: {}", .0.reason())]
@@ -57,6 +58,9 @@ const MOST_HALVINGS: usize = 5000;
 /// The share of the search's time that goes into the steps, about.
 const STEPPING: f64 = 0.8;
 
+/// Iterations between two looks at how far a search is that nobody interrupts.
+const SLICE: usize = 1024;
+
 /// The pull whose shape has the least RMS distance from a measured one, with
 /// that shape. The search tells `progress` what share of it is done, from 0 to
 /// 1, after each solve.
@@ -66,26 +70,88 @@ const STEPPING: f64 = 0.8;
 pub fn best_pull(
     problem: &Problem,
     measured: &Measured,
-    progress: impl FnMut(f64),
+    mut progress: impl FnMut(f64),
 ) -> Result<(Problem, Solution, ShapeFit), ShapeError> {
-    let mut search = Search {
-        problem,
-        measured,
-        best: None,
-        open: Vec::new(),
-        progress,
-    };
-    search.step_along()?;
-    search.halve();
-    let best = search
-        .best
-        .ok_or(ShapeError::NotReached(Status::Unfinished))?;
-    let solution = best.solution.clone();
-    let fit = compare(&solution, measured);
-    Ok((at(problem, solution.pull), solution, fit))
+    let mut search = PullSearch::new(problem.clone(), measured.clone());
+    let mut told = None;
+    loop {
+        let ended = search.advance(SLICE) == Progress::Done;
+        if told.replace(search.share()) != Some(search.share()) {
+            progress(search.share());
+        }
+        if ended {
+            return search.finish();
+        }
+    }
+}
+
+/// A search for the best pull in the making, advanced in slices. However long
+/// these are, it finds the same, bit for bit. Dropping it cancels it.
+#[derive(Debug)]
+pub struct PullSearch {
+    problem: Problem,
+    measured: Measured,
+    phase: Phase,
+    best: Option<Rc<Place>>,
+    /// Pieces that may hold something better than the best.
+    open: Vec<Piece>,
+    /// Halvings begun.
+    halvings: usize,
+    /// How often the most halved piece was.
+    deepest: u32,
+    share: f64,
+}
+
+/// What the next call of [`PullSearch::advance`] does.
+#[derive(Debug)]
+enum Phase {
+    /// Follows the branch.
+    Stepping(Box<Walk>),
+    /// Solves for the middle of a piece.
+    Halving(Box<(Piece, Run)>),
+    /// Nothing.
+    Done(Result<(), ShapeError>),
+}
+
+/// The way along the branch, from the straight robot.
+#[derive(Debug)]
+struct Walk {
+    way: Way,
+    target: Problem,
+    run: Run,
+    before: Option<Rc<Place>>,
+    /// How far the shape moves in a step, in metres; the robot's length where
+    /// that is not known yet.
+    moved: f64,
+    /// How far it has come, in metres of pull, whichever way.
+    pull: f64,
+}
+
+/// Which way from the straight robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Way {
+    /// Drawn in.
+    Up,
+    /// Let out, to pulls below zero.
+    Down,
+}
+
+impl Walk {
+    fn new(problem: &Problem, way: Way) -> Self {
+        let target = at(problem, 0.0);
+        Self {
+            way,
+            run: Run::new(&target, Start::Straight, Settings::default()),
+            target,
+            before: None,
+            moved: problem.robot().length,
+            pull: 0.0,
+        }
+    }
 }
 
 /// A shape of the branch.
+#[derive(Debug)]
 struct Place {
     solution: Solution,
     /// Its RMS distance, in metres, or something below it that is far off.
@@ -93,6 +159,7 @@ struct Place {
 }
 
 /// A piece of the branch, from a shape to one that the robot comes to from it.
+#[derive(Debug)]
 struct Piece {
     from: Rc<Place>,
     to: Rc<Place>,
@@ -104,103 +171,152 @@ struct Piece {
     halved: u32,
 }
 
-struct Search<'a, P> {
-    problem: &'a Problem,
-    measured: &'a Measured,
-    best: Option<Rc<Place>>,
-    /// Pieces that may hold something better than the best.
-    open: Vec<Piece>,
-    progress: P,
-}
-
 fn at(problem: &Problem, pull: f64) -> Problem {
     let mut there = problem.clone();
     there.set_pull(pull);
     there
 }
 
-impl<P: FnMut(f64)> Search<'_, P> {
-    /// Follows the branch both ways to its ends.
-    fn step_along(&mut self) -> Result<(), ShapeError> {
+impl PullSearch {
+    /// A search for the pull whose shape is nearest to a measured one. The
+    /// problem's own pull does not matter.
+    pub fn new(problem: Problem, measured: Measured) -> Self {
+        Self {
+            phase: Phase::Stepping(Box::new(Walk::new(&problem, Way::Up))),
+            problem,
+            measured,
+            best: None,
+            open: Vec::new(),
+            halvings: 0,
+            deepest: 0,
+            share: 0.0,
+        }
+    }
+
+    /// Goes on with the search for about so many iterations.
+    pub fn advance(&mut self, iterations: usize) -> Progress {
+        let run = match &mut self.phase {
+            Phase::Stepping(walk) => &mut walk.run,
+            Phase::Halving(halving) => &mut halving.1,
+            Phase::Done(_) => return Progress::Done,
+        };
+        if run.advance(iterations) == Progress::Running {
+            return Progress::Running;
+        }
+        self.phase = match std::mem::replace(&mut self.phase, Phase::Done(Ok(()))) {
+            Phase::Stepping(walk) => self.step(walk),
+            Phase::Halving(halving) => {
+                let (piece, run) = *halving;
+                self.split(piece, run.into_solution());
+                self.share_of_halving();
+                self.halve()
+            }
+            done @ Phase::Done(_) => done,
+        };
+        match self.phase {
+            Phase::Done(_) => Progress::Done,
+            _ => Progress::Running,
+        }
+    }
+
+    /// What share of it is done, from 0 to 1, about; it never falls.
+    pub fn share(&self) -> f64 {
+        self.share
+    }
+
+    /// What was found, by a search that is done; of another the best so far.
+    ///
+    /// # Errors
+    /// If the robot cannot be solved for at all.
+    pub fn finish(self) -> Result<(Problem, Solution, ShapeFit), ShapeError> {
+        if let Phase::Done(Err(error)) = self.phase {
+            return Err(error);
+        }
+        let best = self
+            .best
+            .ok_or(ShapeError::NotReached(Status::Unfinished))?;
+        let solution = best.solution.clone();
+        let fit = compare(&solution, &self.measured);
+        Ok((at(&self.problem, solution.pull), solution, fit))
+    }
+
+    /// How far the branch is followed either way, up and down, in metres of
+    /// pull.
+    fn ends(&self) -> [f64; 2] {
         let robot = self.problem.robot();
         let (least, most) = robot.pull_range();
         let far = (TURNS * TAU * robot.offset).min(robot.length);
-        let ends = [most, -least].map(|end| end.min(far));
-        let whole = ends.iter().sum::<f64>();
-        let mut gone = 0.0;
-        for (side, end) in [1.0, -1.0].into_iter().zip(ends) {
-            let step = STEP * robot.offset;
-            let mut target = at(self.problem, 0.0);
-            let mut run = Run::new(&target, Start::Straight, Settings::default());
-            let mut before: Option<Rc<Place>> = None;
-            // How far the shape moves in a step; not known yet.
-            let mut moved = robot.length;
-            let mut pull = 0.0;
-            loop {
-                let solution = run.finish();
-                // The end of a branch is an equilibrium like any other.
-                if solution.certificate.holds() {
-                    let far_off = self.best() + FAR_OFF * STRIDE * moved;
-                    let here = self.visit(solution.clone(), far_off);
-                    if let Some(before) = before.replace(here.clone()) {
-                        let steps = (here.solution.pull - before.solution.pull).abs() / step;
-                        moved = self.consider(before, here, BOW, 0) / steps;
-                    }
-                }
-                (self.progress)(STEPPING * (gone + pull) / whole);
-                if solution.status != Status::Converged {
-                    if self.best.is_none() {
-                        return Err(ShapeError::NotReached(solution.status.clone()));
-                    }
-                    break;
-                }
-                if pull >= end {
-                    break;
-                }
-                // As far as it has to move to become the best, and less.
-                let here = before.as_ref().map_or(f64::INFINITY, |place| place.rms);
-                let needed = (here - self.best()) / (2.0 * moved);
-                pull = (pull + step * needed.clamp(1.0, STRIDE)).min(end);
-                target.set_pull(side * pull);
-                run.retarget(&target);
-            }
-            gone += end;
-        }
-        Ok(())
+        [most, -least].map(|end| end.min(far))
     }
 
-    /// Halves pieces until none may hold anything better.
-    fn halve(&mut self) {
-        let grain = GRAIN * self.problem.length();
-        let widths =
-            std::iter::successors(Some(STEP * self.problem.robot().offset), |w| Some(0.5 * w));
-        let levels = widths.take_while(|width| *width > grain).count().max(1);
-        let mut deepest = 0;
-        for _ in 0..MOST_HALVINGS {
+    /// Takes a shape that the walk has come to, and what is to be done next.
+    fn step(&mut self, mut walk: Box<Walk>) -> Phase {
+        let step = STEP * self.problem.robot().offset;
+        let ends = self.ends();
+        let (side, end, gone) = match walk.way {
+            Way::Up => (1.0, ends[0], 0.0),
+            Way::Down => (-1.0, ends[1], ends[0]),
+        };
+        let solution = walk.run.solution();
+        let status = solution.status.clone();
+        // The end of a branch is an equilibrium like any other.
+        if solution.certificate.holds() {
+            let far_off = self.best() + FAR_OFF * STRIDE * walk.moved;
+            let here = self.visit(solution.clone(), far_off);
+            if let Some(before) = walk.before.replace(here.clone()) {
+                let steps = (here.solution.pull - before.solution.pull).abs() / step;
+                walk.moved = self.consider(before, here, BOW, 0) / steps;
+            }
+        }
+        self.share = STEPPING * (gone + walk.pull) / ends.iter().sum::<f64>();
+        if status != Status::Converged && self.best.is_none() {
+            return Phase::Done(Err(ShapeError::NotReached(status)));
+        }
+        if status != Status::Converged || walk.pull >= end {
+            return match walk.way {
+                Way::Up => Phase::Stepping(Box::new(Walk::new(&self.problem, Way::Down))),
+                Way::Down => self.halve(),
+            };
+        }
+        // As far as it has to move to become the best, and less.
+        let here = walk.before.as_ref().map_or(f64::INFINITY, |it| it.rms);
+        let needed = (here - self.best()) / (2.0 * walk.moved);
+        walk.pull = (walk.pull + step * needed.clamp(1.0, STRIDE)).min(end);
+        walk.target.set_pull(side * walk.pull);
+        walk.run.retarget(&walk.target);
+        Phase::Stepping(walk)
+    }
+
+    /// Takes the piece that may hold the least distance, until none may hold
+    /// anything better.
+    fn halve(&mut self) -> Phase {
+        while self.halvings < MOST_HALVINGS {
             let bounds = self.open.iter().map(|piece| piece.bound).enumerate();
             let Some((lowest, _)) = bounds.min_by(|a, b| a.1.total_cmp(&b.1)) else {
                 break;
             };
             let piece = self.open.swap_remove(lowest);
-            deepest = deepest.max(piece.halved);
-            self.halve_one(piece);
-            let share = (f64::from(deepest) / levels as f64).min(1.0);
-            (self.progress)(STEPPING + (1.0 - STEPPING) * share);
+            self.halvings += 1;
+            self.deepest = self.deepest.max(piece.halved);
+            let (from, to) = (&piece.from.solution, &piece.to.solution);
+            if (to.pull - from.pull).abs() > GRAIN * self.problem.length() {
+                let middle = at(&self.problem, 0.5 * (from.pull + to.pull));
+                let near = at(&self.problem, from.pull);
+                let run = Run::new(&middle, Start::From(&near, from), Settings::default());
+                return Phase::Halving(Box::new((piece, run)));
+            }
+            self.share_of_halving();
         }
-        (self.progress)(1.0);
+        self.share = 1.0;
+        Phase::Done(Ok(()))
     }
 
-    fn halve_one(&mut self, piece: Piece) {
-        let (from, to) = (&piece.from.solution, &piece.to.solution);
-        if (to.pull - from.pull).abs() <= GRAIN * self.problem.length() {
-            return;
-        }
-        let middle = at(self.problem, 0.5 * (from.pull + to.pull));
-        let near = at(self.problem, from.pull);
-        let solution = solve(&middle, Start::From(&near, from), Settings::default());
+    /// Halves a piece at its middle's solution.
+    fn split(&mut self, piece: Piece, solution: Solution) {
         if !solution.certificate.holds() {
             return;
         }
+        let (from, to) = (&piece.from.solution, &piece.to.solution);
         let bow = self.bow(from, &solution, to).max(BOW_OF_HALF * piece.bow);
         let converged = solution.status == Status::Converged;
         let middle = self.visit(solution, f64::INFINITY);
@@ -211,10 +327,19 @@ impl<P: FnMut(f64)> Search<'_, P> {
         }
     }
 
+    fn share_of_halving(&mut self) {
+        let grain = GRAIN * self.problem.length();
+        let widths =
+            std::iter::successors(Some(STEP * self.problem.robot().offset), |w| Some(0.5 * w));
+        let levels = widths.take_while(|width| *width > grain).count().max(1);
+        let share = (f64::from(self.deepest) / levels as f64).min(1.0);
+        self.share = STEPPING + (1.0 - STEPPING) * share;
+    }
+
     /// A shape with its distance, which may be the best. It is not measured
     /// exactly where it is above a limit.
     fn visit(&mut self, solution: Solution, limit: f64) -> Rc<Place> {
-        let rms = rms_up_to(&solution, self.measured, limit);
+        let rms = rms_up_to(&solution, &self.measured, limit);
         let place = Rc::new(Place { solution, rms });
         if self.best.is_none() || rms < self.best() {
             self.best = Some(place.clone());

@@ -6,6 +6,7 @@ use crate::mechanics::Problem;
 use crate::scene::Measurements;
 use crate::scene::limits::LEAST_MEASURED_POINTS;
 use crate::units::metres;
+use serde::{Deserialize, Serialize};
 
 mod fault;
 mod order;
@@ -14,7 +15,7 @@ mod span;
 pub use fault::MeasuredFault;
 
 /// A measured point of the backbone.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeasuredPoint {
     /// Its line in the file, from 1, for messages.
     pub row: usize,
@@ -25,7 +26,7 @@ pub struct MeasuredPoint {
 }
 
 /// A measured backbone that can be compared with a robot.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measured {
     points: Vec<MeasuredPoint>,
     length: f64,

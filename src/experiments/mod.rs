@@ -25,7 +25,7 @@ mod table;
 mod tip;
 mod window;
 
-pub use best_pull::{ShapeError, best_pull};
+pub use best_pull::{PullSearch, ShapeError, best_pull};
 pub use data::{
     Backbone, CalibrationErrors, CellForces, Data, DiskForces, Forces, PostMultipliers, TipMotion,
 };

@@ -5,9 +5,10 @@
 use super::links::Links;
 use super::{Measured, MeasuredPoint};
 use crate::equilibrium::Solution;
+use serde::{Deserialize, Serialize};
 
 /// A computed shape's distances from a measured one.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ShapeFit {
     /// The pull of the computed shape, in metres.
     pub pull: f64,
