@@ -51,7 +51,8 @@
 //!   forces under every load.
 //! - [`record`]: what is written of a result, in the units of files: keys of
 //!   JSON, columns of tables, and their versions.
-//! - [`solving`]: live requests, the newest first, in slices.
+//! - [`solving`]: live requests, of which the newest counts, and in their pauses
+//!   tasks, one after the other; all in slices.
 //! - [`view`]: a solution as plain draw data: marks in the world and what they
 //!   mean, and curves over an axis; the same for every picture.
 //! - [`report`]: drawings, charts and pages as the contents of files.

@@ -10,8 +10,8 @@ use proptest::test_runner::TestRunner;
 use random_scene::{config, scene};
 use sinew::mechanics::Problem;
 use sinew::scene::Candidates;
-use sinew::solving::wire::{write_request, write_update};
-use sinew::solving::{Job, Request, StartFrom, Work};
+use sinew::solving::wire::{write_order, write_update};
+use sinew::solving::{Executor, Order, Request, StartFrom, Work};
 use std::process::Command;
 
 /// Scenes of each kind of candidates; not all of them can be solved.
@@ -47,12 +47,12 @@ fn requests() -> Vec<Request> {
     requests
 }
 
-/// The bytes of the shape that a request leads to.
-fn answer(request: Request) -> Vec<u8> {
-    let mut job = Job::default();
-    job.take(request);
+/// The bytes of the shape that a live order leads to.
+fn answer(order: Order) -> Vec<u8> {
+    let mut executor = Executor::default();
+    executor.take(order);
     loop {
-        match job.work() {
+        match executor.work() {
             Work::More => {}
             Work::Found(update) => return write_update(&update).unwrap(),
             Work::Done => panic!("no shape"),
@@ -84,8 +84,9 @@ fn thousands_of_solutions_have_the_bits_that_are_written_down() {
     let requests = requests();
     assert!(requests.len() > SCENES as usize, "{}", requests.len());
     for request in requests {
-        let asked = write_request(&request).unwrap();
-        let answered = answer(request);
+        let order = Order::Live(request);
+        let asked = write_order(&order).unwrap();
+        let answered = answer(order);
         all = hash(all, &answered);
         record(&mut recorded, &asked);
         record(&mut recorded, &answered);

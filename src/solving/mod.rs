@@ -1,22 +1,42 @@
-//! Live solving: what is asked while a scene is being changed, what is
-//! answered, and the work in between, in slices.
+//! One executor for all that is solved beside the window: what is asked, what
+//! is answered, and the work in between, in slices.
 //!
-//! A [`Job`] takes the newest [`Request`] in the place of older ones, even in
-//! the middle of their solve, and keeps the last equilibrium, so that each
-//! request goes on from the shape that the last one led to. It knows no thread
-//! and no clock: whoever owns it calls [`Job::work`] until there is nothing
-//! left or a newer request has come.
+//! Live work is what is asked while a scene is being changed. A [`Job`] takes
+//! the newest [`Request`] in the place of older ones, even in the middle of
+//! their solve, and keeps the last equilibrium, so that each request goes on
+//! from the shape that the last one led to. A [`Task`] is done once, after those
+//! before it, unless it is cancelled. The [`Executor`] goes on with tasks while
+//! no live work is left. It knows no thread and no clock: whoever owns it calls
+//! [`Executor::work`] until there is nothing left, and hands it each [`Order`]
+//! as it comes.
 
+mod executor;
 mod job;
+mod queue;
+mod task;
 #[cfg(feature = "wire")]
 pub mod wire;
 
+pub use executor::Executor;
 pub use job::{Job, Work};
+pub use queue::Queue;
+pub use task::{Answer, Task, TaskId};
 
 use crate::equilibrium::{Caution, Solution};
 use crate::explore::Path;
 use crate::mechanics::Problem;
 use serde::{Deserialize, Serialize};
+
+/// What is asked of an executor.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub enum Order {
+    /// Live work, in the place of all before it.
+    Live(Request),
+    /// A task, after all before it.
+    Task(TaskId, Task),
+    /// That a task is done no more, begun or not.
+    Cancel(TaskId),
+}
 
 /// What to solve.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -43,7 +63,7 @@ pub enum StartFrom {
     Straight,
 }
 
-/// What a request led to.
+/// What an order led to.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub enum Update {
     /// The robot's shape; soon after the request.
@@ -55,6 +75,20 @@ pub enum Update {
         course: u64,
         /// From the straight robot over the request's span.
         path: Box<Path>,
+    },
+    /// How far a task is.
+    Share {
+        /// Which.
+        task: TaskId,
+        /// The share of it that is done, from 0 to 1.
+        share: f64,
+    },
+    /// A task is done.
+    Answer {
+        /// Which.
+        task: TaskId,
+        /// What it has led to.
+        answer: Box<Answer>,
     },
 }
 
@@ -70,4 +104,51 @@ pub struct Shape {
     pub placed: bool,
     /// What the solution does not promise.
     pub cautions: Vec<Caution>,
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::equilibrium::{Settings, Start, solve};
+    use crate::experiments::{Measured, MeasuredPoint};
+    use crate::scene::Scene;
+
+    pub fn scene() -> Scene {
+        Scene::from_toml(include_str!("../../assets/scenes/one-disc.toml")).unwrap()
+    }
+
+    pub fn problem() -> Problem {
+        Problem::new(&scene()).unwrap()
+    }
+
+    pub fn live(generation: u64, from: StartFrom) -> Order {
+        Order::Live(Request {
+            generation,
+            course: 0,
+            problem: problem(),
+            from,
+            span: (0.0, 0.012),
+        })
+    }
+
+    /// The nodes of the robot at 3 mm of pull.
+    pub fn measured() -> Measured {
+        let mut problem = problem();
+        problem.set_pull(0.003);
+        let solution = solve(&problem, Start::Straight, Settings::default());
+        let points = solution.backbone().enumerate();
+        let points = points.map(|(node, position)| MeasuredPoint {
+            row: node + 1,
+            node: Some(node),
+            position,
+        });
+        Measured::new(points.collect(), &problem).unwrap()
+    }
+
+    pub fn search() -> Task {
+        Task::BestPull {
+            problem: problem(),
+            measured: measured(),
+        }
+    }
 }

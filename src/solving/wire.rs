@@ -1,26 +1,26 @@
-//! Requests and updates as bytes, for a solver that shares no memory with the
+//! Orders and updates as bytes, for a solver that shares no memory with the
 //! window. Numbers arrive bit for bit.
 
-use super::{Request, Update};
+use super::{Order, Update};
 
 /// Bytes that are no message of this version of the program.
 #[derive(Clone, Debug, thiserror::Error)]
 #[error("a message between the window and its solver cannot be read or written: {0}")]
 pub struct WireError(#[from] postcard::Error);
 
-/// A request as bytes.
+/// An order as bytes.
 ///
 /// # Errors
 /// None is known; those of the format.
-pub fn write_request(request: &Request) -> Result<Vec<u8>, WireError> {
-    Ok(postcard::to_stdvec(request)?)
+pub fn write_order(order: &Order) -> Result<Vec<u8>, WireError> {
+    Ok(postcard::to_stdvec(order)?)
 }
 
-/// The request that the bytes say.
+/// The order that the bytes say.
 ///
 /// # Errors
-/// When they are not those of a request.
-pub fn read_request(bytes: &[u8]) -> Result<Request, WireError> {
+/// When they are not those of an order.
+pub fn read_order(bytes: &[u8]) -> Result<Order, WireError> {
     Ok(postcard::from_bytes(bytes)?)
 }
 
@@ -42,29 +42,23 @@ pub fn read_update(bytes: &[u8]) -> Result<Update, WireError> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::{live, search};
     use super::*;
-    use crate::mechanics::Problem;
-    use crate::scene::Scene;
-    use crate::solving::{Job, StartFrom, Work};
+    use crate::solving::{Executor, StartFrom, TaskId, Work};
 
-    fn request() -> Request {
-        let scene = Scene::from_toml(include_str!("../../assets/scenes/shapes.toml")).unwrap();
-        Request {
-            generation: 7,
-            course: 3,
-            problem: Problem::new(&scene).unwrap(),
-            from: StartFrom::Straight,
-            span: (0.0, 0.012),
-        }
+    /// A live request, and one for a task.
+    fn orders() -> [Order; 2] {
+        let task = Order::Task(TaskId(3), search());
+        [live(7, StartFrom::Straight), task]
     }
 
-    /// All that a request leads to, as bytes.
-    fn answers(request: Request) -> Vec<Vec<u8>> {
-        let mut job = Job::default();
-        job.take(request);
+    /// All that an order leads to, as bytes.
+    fn answers(order: Order) -> Vec<Vec<u8>> {
+        let mut executor = Executor::default();
+        executor.take(order);
         let mut found = Vec::new();
         loop {
-            match job.work() {
+            match executor.work() {
                 Work::More => {}
                 Work::Found(update) => found.push(write_update(&update).unwrap()),
                 Work::Done => return found,
@@ -73,26 +67,32 @@ mod tests {
     }
 
     #[test]
-    fn a_request_that_went_by_wire_is_answered_bit_for_bit() {
-        let sent = read_request(&write_request(&request()).unwrap()).unwrap();
-        assert_eq!(answers(sent), answers(request()));
+    fn an_order_that_went_by_wire_is_answered_bit_for_bit() {
+        for order in orders() {
+            let sent = read_order(&write_order(&order).unwrap()).unwrap();
+            assert_eq!(answers(sent), answers(order));
+        }
     }
 
     #[test]
     fn answers_are_the_same_after_the_wire() {
-        let found = answers(request());
-        assert_eq!(found.len(), 2);
-        for bytes in found {
-            let again = write_update(&read_update(&bytes).unwrap()).unwrap();
-            assert_eq!(again, bytes);
+        for (order, least) in orders().into_iter().zip([2, 10]) {
+            let found = answers(order);
+            assert!(found.len() >= least);
+            for bytes in found {
+                let again = write_update(&read_update(&bytes).unwrap()).unwrap();
+                assert_eq!(again, bytes);
+            }
         }
     }
 
     #[test]
     fn torn_messages_are_refused() {
-        let bytes = write_request(&request()).unwrap();
-        for length in 0..bytes.len() {
-            assert!(read_request(&bytes[..length]).is_err(), "{length}");
+        for order in orders() {
+            let bytes = write_order(&order).unwrap();
+            for length in 0..bytes.len() {
+                assert!(read_order(&bytes[..length]).is_err(), "{length}");
+            }
         }
     }
 }

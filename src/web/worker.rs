@@ -6,15 +6,15 @@
 
 #[cfg(target_arch = "wasm32")]
 mod solver {
-    use sinew::solving::wire::{read_request, write_update};
-    use sinew::solving::{Job, Work};
+    use sinew::solving::wire::{read_order, write_update};
+    use sinew::solving::{Executor, Order, Work};
     use wasm_bindgen::prelude::*;
 
-    /// Live solving, from bytes to bytes.
+    /// Live work and tasks, from bytes to bytes.
     #[wasm_bindgen]
     #[derive(Default)]
     pub struct Solver {
-        job: Job,
+        executor: Executor,
         busy: bool,
     }
 
@@ -30,14 +30,16 @@ mod solver {
             Self::default()
         }
 
-        /// Takes a request in the place of the one it works on.
+        /// Takes an order. Whether it is live work.
         ///
         /// # Errors
         /// When the bytes are none.
-        pub fn take(&mut self, request: &[u8]) -> Result<(), JsError> {
-            self.job.take(read_request(request)?);
+        pub fn take(&mut self, order: &[u8]) -> Result<bool, JsError> {
+            let order = read_order(order)?;
+            let is_live = matches!(order, Order::Live(_));
+            self.executor.take(order);
             self.busy = true;
-            Ok(())
+            Ok(is_live)
         }
 
         /// Works for a moment. What it has found, if anything.
@@ -45,7 +47,7 @@ mod solver {
         /// # Errors
         /// When that cannot be written.
         pub fn work(&mut self) -> Result<Option<Vec<u8>>, JsError> {
-            Ok(match self.job.work() {
+            Ok(match self.executor.work() {
                 Work::More => None,
                 Work::Found(update) => Some(write_update(&update)?),
                 Work::Done => {

@@ -221,10 +221,6 @@ impl Platform for Desk {
         inner.write(errand, path, contents);
     }
 
-    fn work(&mut self, work: Box<dyn FnOnce() + Send>) {
-        work();
-    }
-
     fn keep(&mut self, work: Option<String>) {
         let mut inner = self.inner.lock().unwrap();
         inner.drawers.retain(|drawer| drawer.owner != self.window);

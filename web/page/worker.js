@@ -1,6 +1,5 @@
 // Gives the solver its messages and its time. It works in turns of a few
-// milliseconds and looks for a newer request between them, which replaces the
-// one before it.
+// milliseconds and takes what has come between them.
 
 import start, { Solver } from './sinew-worker.js';
 
@@ -8,7 +7,9 @@ import start, { Solver } from './sinew-worker.js';
 const TURN = 4;
 
 let solver;
-let newest;
+/** Orders that have come since the last turn. */
+const orders = [];
+/** Milliseconds since the last answer or live request. */
 let spent = 0;
 let isGoing = false;
 
@@ -18,7 +19,7 @@ const turns = new MessageChannel();
 turns.port1.onmessage = () => guarded(turn);
 
 onmessage = ({ data }) => {
-  newest = data;
+  orders.push(data);
   go();
 };
 
@@ -33,10 +34,8 @@ function turn() {
   isGoing = false;
   const begin = performance.now();
   let now = begin;
-  if (newest) {
-    solver.take(newest);
-    newest = undefined;
-    spent = 0;
+  for (const order of orders.splice(0)) {
+    if (solver.take(order)) spent = 0;
   }
   do {
     const before = now;
@@ -48,7 +47,7 @@ function turn() {
       spent = 0;
     }
   } while (solver.busy && now - begin < TURN);
-  if (solver.busy || newest) go();
+  if (solver.busy || orders.length) go();
 }
 
 /** Tells the page of a failure, which then does without the worker. */
@@ -66,7 +65,7 @@ try {
   guarded(() => {
     solver = new Solver();
   });
-  if (newest) go();
+  if (orders.length) go();
 } catch (error) {
   postMessage(String(error?.message ?? error));
 }

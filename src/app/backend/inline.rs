@@ -2,18 +2,21 @@
 //! pictures must not depend on a race, and where there are no workers.
 
 use super::{Found, Slice, SolverBackend, Timed};
-use crate::solving::Request;
+use crate::solving::Order;
 use web_time::{Duration, Instant};
 
 /// A backend that solves inside [`SolverBackend::poll`].
 #[derive(Debug)]
 pub struct Inline {
-    job: Timed,
+    executor: Timed,
     busy: bool,
     patience: Patience,
+    /// Time and slices of this look: the polls up to one that finds nothing.
+    time: Duration,
+    slices: usize,
 }
 
-/// How long one poll may take.
+/// How long one look may take.
 #[derive(Clone, Copy, Debug)]
 enum Patience {
     Endless,
@@ -25,13 +28,16 @@ impl Inline {
     /// Solves everything at once in one poll, however long it takes.
     pub fn to_the_end() -> Self {
         Self {
-            job: Timed::default(),
+            executor: Timed::default(),
             busy: false,
             patience: Patience::Endless,
+            time: Duration::ZERO,
+            slices: 0,
         }
     }
 
-    /// Solves for at most about so long in one poll.
+    /// Solves for at most about so long in one look, which is the polls up to
+    /// one that finds nothing.
     pub fn sliced(patience: Duration) -> Self {
         Self {
             patience: Patience::Time(patience),
@@ -39,7 +45,7 @@ impl Inline {
         }
     }
 
-    /// Does so many slices of work in one poll: the same on every machine.
+    /// Does so many slices of work in one look: the same on every machine.
     pub fn by_slices(count: usize) -> Self {
         Self {
             patience: Patience::Slices(count),
@@ -49,31 +55,35 @@ impl Inline {
 }
 
 impl SolverBackend for Inline {
-    fn submit(&mut self, request: Request) {
-        self.job.take(request);
+    fn submit(&mut self, order: Order) {
+        self.executor.take(order);
         self.busy = true;
     }
 
     fn poll(&mut self) -> Option<Found> {
         let begin = Instant::now();
-        let mut slices = 0;
         while self.busy {
-            match self.job.work() {
-                Slice::Found(found) => return Some(found),
+            match self.executor.work() {
+                Slice::Found(found) => {
+                    self.time += begin.elapsed();
+                    return Some(found);
+                }
                 Slice::Done => self.busy = false,
                 Slice::More => {
-                    slices += 1;
+                    self.slices += 1;
                     let over = match self.patience {
                         Patience::Endless => false,
-                        Patience::Time(most) => begin.elapsed() > most,
-                        Patience::Slices(most) => slices >= most,
+                        Patience::Time(most) => self.time + begin.elapsed() > most,
+                        Patience::Slices(most) => self.slices >= most,
                     };
                     if over {
-                        return None;
+                        break;
                     }
                 }
             }
         }
+        self.time = Duration::ZERO;
+        self.slices = 0;
         None
     }
 

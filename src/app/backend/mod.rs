@@ -1,6 +1,6 @@
-//! Where live solving happens: on a thread or in a worker of its own, or
-//! between frames. The window never waits: it asks [`SolverBackend::poll`]
-//! once a frame.
+//! Where the executor is that does the window's live work and its tasks: on a
+//! thread or in a worker of its own, or between frames. The window never waits:
+//! it asks [`SolverBackend::poll`] once a frame.
 
 mod inline;
 #[cfg(not(target_arch = "wasm32"))]
@@ -14,13 +14,13 @@ pub use thread::Thread;
 #[cfg(all(target_arch = "wasm32", feature = "web"))]
 pub use worker::{Arrived, SLICE, Worker};
 
-use crate::solving::{Job, Request, Update, Work};
+use crate::solving::{Executor, Order, Update, Work};
 use web_time::{Duration, Instant};
 
 /// Something that solves while the window goes on.
 pub trait SolverBackend {
-    /// Replaces whatever is being solved.
-    fn submit(&mut self, request: Request);
+    /// Gives the executor an order.
+    fn submit(&mut self, order: Order);
 
     /// The next thing that was found, if any; never waits.
     fn poll(&mut self) -> Option<Found>;
@@ -34,14 +34,15 @@ pub trait SolverBackend {
 pub struct Found {
     /// What.
     pub update: Update,
-    /// Time spent on it, without pauses.
+    /// Time spent since the last thing or the last live request, without
+    /// pauses: for a shape, on it.
     pub time: Duration,
 }
 
-/// A job with a clock.
+/// An executor with a clock.
 #[derive(Debug, Default)]
 struct Timed {
-    job: Job,
+    executor: Executor,
     spent: Duration,
 }
 
@@ -53,14 +54,16 @@ enum Slice {
 }
 
 impl Timed {
-    fn take(&mut self, request: Request) {
-        self.spent = Duration::ZERO;
-        self.job.take(request);
+    fn take(&mut self, order: Order) {
+        if matches!(order, Order::Live(_)) {
+            self.spent = Duration::ZERO;
+        }
+        self.executor.take(order);
     }
 
     fn work(&mut self) -> Slice {
         let begin = Instant::now();
-        let work = self.job.work();
+        let work = self.executor.work();
         self.spent += begin.elapsed();
         match work {
             Work::More => Slice::More,

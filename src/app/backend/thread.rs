@@ -1,8 +1,8 @@
-//! Solving on a thread of its own. The mailbox holds one request: a newer one
-//! replaces it, and is looked for between any two slices of work.
+//! Solving on a thread of its own, which looks for orders between any two
+//! slices of work.
 
 use super::{Found, Slice, SolverBackend, Timed};
-use crate::solving::Request;
+use crate::solving::Order;
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{Builder, JoinHandle};
@@ -11,13 +11,13 @@ use std::thread::{Builder, JoinHandle};
 #[derive(Default)]
 struct Mailbox {
     slots: Mutex<Slots>,
-    /// Signals a request or the end.
+    /// Signals an order or the end.
     mail: Condvar,
 }
 
 #[derive(Default)]
 struct Slots {
-    request: Option<Request>,
+    orders: Vec<Order>,
     found: VecDeque<Found>,
     working: bool,
     over: bool,
@@ -56,21 +56,24 @@ impl Thread {
 }
 
 fn serve(mailbox: &Mailbox, found: impl Fn()) {
-    let mut job = Timed::default();
+    let mut executor = Timed::default();
     loop {
         let mut slots = mailbox.slots();
         if slots.over {
             return;
         }
-        if let Some(request) = slots.request.take() {
+        if !slots.orders.is_empty() {
             // What was found before stays until it is asked for: a path holds
             // for later requests, too, and is not found again for them.
             slots.working = true;
+            let orders = std::mem::take(&mut slots.orders);
             drop(slots);
-            job.take(request);
+            for order in orders {
+                executor.take(order);
+            }
         } else if slots.working {
             drop(slots);
-            match job.work() {
+            match executor.work() {
                 Slice::More => {}
                 Slice::Found(result) => {
                     mailbox.slots().found.push_back(result);
@@ -91,8 +94,8 @@ fn serve(mailbox: &Mailbox, found: impl Fn()) {
 }
 
 impl SolverBackend for Thread {
-    fn submit(&mut self, request: Request) {
-        self.mailbox.slots().request = Some(request);
+    fn submit(&mut self, order: Order) {
+        self.mailbox.slots().orders.push(order);
         self.mailbox.mail.notify_one();
     }
 
@@ -113,5 +116,96 @@ impl Drop for Thread {
             // It ends after its slice; a panic in it has been told already.
             let _ = thread.join();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solving::tests::{live, search};
+    use crate::solving::{StartFrom, TaskId, Update};
+    use std::sync::mpsc::{Receiver, SyncSender, channel, sync_channel};
+
+    /// A thread that stops whenever it has something to tell.
+    struct Stopping {
+        /// First, so that the thread goes on to its end when this is dropped.
+        go: SyncSender<()>,
+        told: Receiver<()>,
+        thread: Thread,
+    }
+
+    impl Stopping {
+        fn new() -> Self {
+            let (tell, told) = channel();
+            let (go, gone) = sync_channel(0);
+            let thread = Thread::new(move || {
+                // Nobody is there when the test is over.
+                let _ = tell.send(());
+                let _ = gone.recv();
+            });
+            let thread = thread.unwrap();
+            Self { go, told, thread }
+        }
+
+        fn task(&mut self, id: u64) {
+            self.thread.submit(Order::Task(TaskId(id), search()));
+        }
+
+        /// Waits until it stops: what it has found; nothing where it has nothing
+        /// left to do.
+        fn stop(&mut self) -> Option<String> {
+            self.told.recv().unwrap();
+            let found = self.thread.poll()?;
+            Some(match found.update {
+                Update::Shape(shape) => format!("shape {}", shape.generation),
+                Update::Path { course, .. } => format!("path {course}"),
+                Update::Share { task, .. } => format!("share of {}", task.0),
+                Update::Answer { task, .. } => format!("task {}", task.0),
+            })
+        }
+
+        fn go(&self) {
+            self.go.send(()).unwrap();
+        }
+
+        /// Lets it go on to the end of its work: what it finds, without shares.
+        fn rest(&mut self) -> Vec<String> {
+            let mut all = Vec::new();
+            loop {
+                self.go();
+                match self.stop() {
+                    Some(found) => all.push(found),
+                    None => break,
+                }
+            }
+            all.retain(|found| !found.starts_with("share"));
+            all
+        }
+    }
+
+    #[test]
+    fn live_work_goes_before_tasks_and_these_go_on() {
+        let mut thread = Stopping::new();
+        for id in 1..=3 {
+            thread.task(id);
+        }
+        assert_eq!(thread.stop().as_deref(), Some("share of 1"));
+        for generation in 1..=3 {
+            thread.thread.submit(live(generation, StartFrom::Straight));
+        }
+        let expect = ["shape 3", "path 0", "task 1", "task 2", "task 3"];
+        assert_eq!(thread.rest(), expect);
+    }
+
+    #[test]
+    fn a_task_is_cancelled_while_it_is_done() {
+        let mut thread = Stopping::new();
+        thread.task(1);
+        assert_eq!(thread.stop().as_deref(), Some("share of 1"));
+        thread.thread.submit(Order::Cancel(TaskId(1)));
+        assert!(thread.rest().is_empty());
+        // It takes more.
+        thread.task(2);
+        assert_eq!(thread.rest(), ["task 2"]);
     }
 }

@@ -1,10 +1,10 @@
-//! Solving in a Web Worker: requests and updates go to and fro as bytes, since
+//! Solving in a Web Worker: orders and updates go to and fro as bytes, since
 //! the worker shares no memory with the page. Where the worker fails, solving
 //! goes on between frames.
 
 use super::{Found, Inline, SolverBackend};
-use crate::solving::Request;
-use crate::solving::wire::{read_update, write_request};
+use crate::solving::wire::{read_update, write_order};
+use crate::solving::{Order, Queue, Update};
 use js_sys::{Array, Uint8Array};
 use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
@@ -20,8 +20,9 @@ pub const SLICE: Duration = Duration::from_millis(4);
 pub struct Worker {
     worker: web_sys::Worker,
     arrived: Rc<Arrived>,
-    /// The last request, for whoever has to answer it in the worker's place …
-    request: Option<Request>,
+    /// The last request and the tasks that have no answer, for whoever has to
+    /// answer them in the worker's place …
+    unanswered: Queue,
     /// … which is this one.
     here: Option<Inline>,
     _on_message: Closure<dyn FnMut(MessageEvent)>,
@@ -89,7 +90,7 @@ impl Worker {
         Self {
             worker,
             arrived,
-            request: None,
+            unanswered: Queue::default(),
             here: None,
             _on_message: on_message,
             _on_error: on_error,
@@ -101,8 +102,8 @@ impl Worker {
         Rc::clone(&self.arrived)
     }
 
-    fn post(&self, request: &Request) -> Result<(), String> {
-        let bytes = write_request(request).map_err(|error| error.to_string())?;
+    fn post(&self, order: &Order) -> Result<(), String> {
+        let bytes = write_order(order).map_err(|error| error.to_string())?;
         let bytes = Uint8Array::from(bytes.as_slice());
         let transferred = Array::of1(&bytes.buffer());
         let posted = self.worker.post_message_with_transfer(&bytes, &transferred);
@@ -114,8 +115,8 @@ impl Worker {
         if self.arrived.has_failed() && self.here.is_none() {
             self.worker.terminate();
             let mut here = Inline::sliced(SLICE);
-            if let Some(request) = self.request.take() {
-                here.submit(request);
+            for order in std::mem::take(&mut self.unanswered).into_orders() {
+                here.submit(order);
             }
             self.here = Some(here);
         }
@@ -124,18 +125,21 @@ impl Worker {
 }
 
 impl SolverBackend for Worker {
-    fn submit(&mut self, request: Request) {
+    fn submit(&mut self, order: Order) {
         if let Some(here) = self.here() {
-            return here.submit(request);
+            return here.submit(order);
         }
-        if let Err(why) = self.post(&request) {
+        if let Err(why) = self.post(&order) {
             self.arrived.fail(&why);
         }
-        self.request = Some(request);
+        self.unanswered.take(order);
     }
 
     fn poll(&mut self) -> Option<Found> {
         let found = self.arrived.found.borrow_mut().pop_front();
+        if let Some(Update::Answer { task, .. }) = found.as_ref().map(|found| &found.update) {
+            self.unanswered.remove(*task);
+        }
         found.or_else(|| self.here()?.poll())
     }
 

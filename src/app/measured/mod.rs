@@ -6,11 +6,11 @@ mod import;
 
 pub use import::import;
 
-use super::workbench::{Basis, Best, Notice, Playing, Search, Workbench};
-use crate::experiments::{Measured, MeasuredFault, ShapeFit, best_pull, compare};
+use super::workbench::{Basis, Notice, Playing, Search, Workbench};
+use crate::experiments::{Measured, MeasuredFault, ShapeFit, compare};
+use crate::solving::Task;
 use crate::units::millimetres;
 use eframe::egui::Context;
-use std::sync::mpsc::{TryRecvError, channel};
 
 /// The distances of the robot on the screen from the measured backbone; `None`
 /// where nothing was measured or no shape is known.
@@ -33,7 +33,7 @@ pub fn fit(bench: &mut Workbench) -> Option<&Result<ShapeFit, MeasuredFault>> {
 }
 
 /// Begins to search for the pull that suits the measurement best.
-pub fn search(bench: &mut Workbench) {
+pub fn search(bench: &mut Workbench, ctx: &Context) {
     let scene = bench.document.scene.clone();
     let Some(held) = &scene.measured else {
         return;
@@ -47,32 +47,13 @@ pub fn search(bench: &mut Workbench) {
             return;
         }
     };
-    let (sender, result) = channel();
-    bench.measuring.search = Some(Search { scene, result });
-    bench.files.platform.work(Box::new(move || {
-        let found = best_pull(&problem, &measured, |_| {});
-        let found = found
-            .map(|(_, _, fit)| fit)
-            .map_err(|error| error.to_string());
-        // Nobody listens only when the window is gone.
-        let _ = sender.send(found);
-    }));
-}
-
-/// Takes what the search has found.
-pub fn arrive(bench: &mut Workbench, ctx: &Context) {
-    let Some(search) = &bench.measuring.search else {
-        return;
-    };
-    let fit = match search.result.try_recv() {
-        Err(TryRecvError::Empty) => return,
-        Err(TryRecvError::Disconnected) => Err("the search has failed".to_owned()),
-        Ok(fit) => fit,
-    };
-    if let Some(search) = bench.measuring.search.take() {
-        let scene = search.scene;
-        bench.measuring.best = Some(Best { scene, fit });
-    }
+    let task = bench.begin(Task::BestPull { problem, measured });
+    bench.measuring.search = Some(Search {
+        scene,
+        task,
+        share: 0.0,
+    });
+    // What solves between frames needs one to begin.
     ctx.request_repaint();
 }
 
@@ -84,5 +65,93 @@ pub fn apply(bench: &mut Workbench) {
         .map(|fit| fit.pull);
     if let Some(pull) = pull {
         bench.set_pull(millimetres(pull), Playing::Stops);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::backend::Inline;
+    use crate::app::workbench::{Document, Preferences};
+    use crate::experiments::ShapeError;
+    use crate::scene::{Measurements, Scene, Shape};
+    use crate::solving::tests::{measured, scene};
+
+    /// A workbench whose solver does little at a time, with a robot that was
+    /// measured at 3 mm of pull.
+    fn bench() -> Workbench {
+        let mut scene = scene();
+        let measured = measured();
+        let points = measured.points().iter();
+        scene.measured = Some(Measurements {
+            points_mm: points
+                .clone()
+                .map(|point| point.position.map(millimetres).into())
+                .collect(),
+            nodes: points.map(|point| point.node.unwrap() as u32).collect(),
+            ..Measurements::default()
+        });
+        let document = Document::new(scene).unwrap();
+        let solver = Box::new(Inline::by_slices(2));
+        Workbench::new(document, solver, Preferences::default())
+    }
+
+    fn edited(bench: &mut Workbench, edit: impl FnOnce(&mut Scene)) {
+        edit(&mut bench.document.scene);
+        bench.take_edits(&Context::default());
+    }
+
+    /// Begins a search and lets it come as far as that.
+    fn searched(bench: &mut Workbench, share: f64) {
+        search(bench, &Context::default());
+        while bench.measuring.search.as_ref().unwrap().share < share {
+            assert!(bench.wants_frames());
+            bench.poll();
+        }
+    }
+
+    fn to_the_end(bench: &mut Workbench) -> Option<Result<ShapeFit, ShapeError>> {
+        while bench.wants_frames() {
+            bench.poll();
+        }
+        assert!(bench.measuring.search.is_none());
+        let best = bench.measuring.best(&bench.document.scene);
+        best.map(|best| best.fit.clone())
+    }
+
+    #[test]
+    fn a_search_goes_on_while_the_robot_is_pulled() {
+        let mut bench = bench();
+        for (step, pull_mm) in [1.0, 2.0, 4.0].into_iter().enumerate() {
+            match step {
+                0 => searched(&mut bench, 0.1),
+                _ => bench.poll(),
+            }
+            edited(&mut bench, |scene| scene.actuation.pull_mm = pull_mm);
+        }
+        let fit = to_the_end(&mut bench).unwrap().unwrap();
+        assert!((millimetres(fit.pull) - 3.0).abs() < 1e-4);
+        assert_eq!(bench.live.solution().unwrap().pull, 0.004);
+        apply(&mut bench);
+        assert!((bench.pull_mm() - 3.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn a_search_for_a_robot_that_is_no_more_is_given_up() {
+        let mut bench = bench();
+        searched(&mut bench, 0.1);
+        edited(&mut bench, |scene| {
+            let disc = Shape::Disc {
+                center_mm: [150.0, 20.0],
+                radius_mm: 5.0,
+            };
+            scene.obstacles.push(disc.into());
+        });
+        assert!(bench.measuring.search.is_none());
+        assert!(to_the_end(&mut bench).is_none());
+        assert!(bench.live.is_settled());
+        // Another one is for the new scene.
+        searched(&mut bench, 0.1);
+        assert!(to_the_end(&mut bench).unwrap().is_ok());
     }
 }

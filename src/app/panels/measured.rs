@@ -86,10 +86,11 @@ fn distances(ui: &mut Ui, of: &str, fit: &ShapeFit, length: f64) {
 
 /// The pull that suits the backbone best.
 fn best(ui: &mut Ui, bench: &mut Workbench, length: f64) {
-    if bench.measuring.is_searching() {
+    if let Some(search) = &bench.measuring.search {
         ui.horizontal(|ui| {
             ui.add(Spinner::new().size(16.0));
             ui.label("Trying every pull");
+            ui.weak(Quantity::fixed(100.0 * search.share, 0, "%").text());
         });
         return;
     }
@@ -100,12 +101,12 @@ fn best(ui: &mut Ui, bench: &mut Workbench, length: f64) {
     match found {
         None => {
             if ui.button("Find the best pull").clicked() {
-                measured::search(bench);
+                measured::search(bench, ui.ctx());
             }
         }
         Some(Err(reason)) => {
             let colour = Tokens::in_ui(ui).warning;
-            let told = sentence(&reason);
+            let told = sentence(&reason.to_string());
             ui.label(RichText::new(told).color(colour));
         }
         Some(Ok(fit)) => {

@@ -43,10 +43,6 @@ impl Platform for Detached {
         self.refuse(errand, path);
     }
 
-    fn work(&mut self, work: Box<dyn FnOnce() + Send>) {
-        work();
-    }
-
     #[cfg(target_arch = "wasm32")]
     fn decode(&mut self, _bytes: Vec<u8>, give: super::Taker) {
         give(Err("this window has no access to files".to_owned()));

@@ -1,6 +1,6 @@
-//! What the window asks of the system it runs on: files, a place for what is
-//! not saved, and work that does not make it wait. The only way out of the
-//! window, so that the desktop, a browser and a test differ in nothing else.
+//! What the window asks of the system it runs on: files, photographs, and a
+//! place for what is not saved. The only way out of the window besides its
+//! solver, so that the desktop, a browser and a test differ in nothing else.
 //!
 //! Nothing here waits. What was asked for comes later from [`Platform::poll`],
 //! which the window asks once a frame; whoever delivers asks for that frame.
@@ -177,15 +177,12 @@ pub trait Platform {
     /// the new contents are.
     fn write(&mut self, errand: Errand, to: Destination, contents: Contents);
 
-    /// Does work while the window goes on, where there are threads; elsewhere
-    /// at once. Asks for a frame when it is done.
-    fn work(&mut self, work: Box<dyn FnOnce() + Send>);
-
-    /// Decodes a photograph like [`Platform::work`], and gives it to someone:
-    /// or a clause, with `it` for the file, on why it cannot be shown.
+    /// Decodes a photograph and gives it to someone: or a clause, with `it` for
+    /// the file, on why it cannot be shown. At once, unless the system can do it
+    /// while the window goes on and asks for a frame when it is done.
     #[cfg(not(target_arch = "wasm32"))]
     fn decode(&mut self, bytes: Vec<u8>, give: Taker) {
-        self.work(Box::new(move || give(crate::app::pixels::decode(&bytes))));
+        give(crate::app::pixels::decode(&bytes));
     }
 
     /// The same, by the browser, which can do it already.

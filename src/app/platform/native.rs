@@ -1,7 +1,7 @@
 //! The desktop: its dialogs, its files, a thread for whatever takes time.
 
 use super::drawers::Drawers;
-use super::{Contents, Destination, Errand, Left, News, PictureKind, Platform};
+use super::{Contents, Destination, Errand, Left, News, PictureKind, Platform, Taker};
 use eframe::egui::{Context, DroppedFileHandle};
 use rfd::AsyncFileDialog;
 use std::fs::{self, File};
@@ -88,10 +88,10 @@ impl Platform for Native {
         }
     }
 
-    fn work(&mut self, work: Box<dyn FnOnce() + Send>) {
+    fn decode(&mut self, bytes: Vec<u8>, give: Taker) {
         let ctx = self.ctx.clone();
-        let started = Builder::new().name("work".to_owned()).spawn(move || {
-            work();
+        let started = Builder::new().name("photo".to_owned()).spawn(move || {
+            give(crate::app::pixels::decode(&bytes));
             ctx.request_repaint();
         });
         if let Err(error) = started {

@@ -133,11 +133,6 @@ impl Platform for Web {
         }
     }
 
-    fn work(&mut self, work: Box<dyn FnOnce() + Send>) {
-        work();
-        self.news.ctx.request_repaint();
-    }
-
     fn keep(&mut self, work: Option<String>) {
         keep(work);
     }

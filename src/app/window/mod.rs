@@ -22,7 +22,7 @@ use super::platform::Platform;
 use super::sheets::{self, Sheets};
 use super::space::Space;
 use super::workbench::{Document, Gesture, Notice, Preferences, Unsaved, Workbench};
-use super::{commands, look, measured, photo};
+use super::{commands, look, photo};
 use crate::scene::{Scene, SceneError};
 use eframe::egui::{Context, Ui};
 use layout::SidePanel;
@@ -141,10 +141,9 @@ impl Sinew {
         files::guard_closing(bench, ctx);
         files::arrive(bench, ctx);
         photo::arrive(bench, ctx);
-        measured::arrive(bench, ctx);
         self.sheets.take_news(bench);
         bench.poll();
-        if bench.live.wants_frames() {
+        if bench.wants_frames() {
             ctx.request_repaint();
         }
         bench.play_on(f64::from(ctx.input(|input| input.stable_dt)));

@@ -1,12 +1,11 @@
 //! The live solution: what was asked of the solver, what it has answered, and
 //! the drawing of it.
 
-use crate::app::backend::SolverBackend;
 use crate::equilibrium::{Caution, Event, Occurrence, Solution, Status};
 use crate::explore::Path;
 use crate::geometry::Vector;
 use crate::mechanics::Problem;
-use crate::solving::{Request, Shape, StartFrom, Update};
+use crate::solving::{Request, Shape, StartFrom};
 use crate::view::{Drawing, Notes, draw};
 use std::sync::Arc;
 use web_time::Duration;
@@ -20,9 +19,8 @@ pub struct Leap {
     pub backbone: Vec<Vector>,
 }
 
-/// The solver and the last of its answers.
+/// The last of the solver's live answers.
 pub struct Live {
-    backend: Box<dyn SolverBackend>,
     /// Requests made.
     generation: u64,
     asked: Problem,
@@ -45,15 +43,9 @@ pub struct Live {
 }
 
 impl Live {
-    /// Asks for the shape of a problem, from the straight robot.
-    pub fn new(
-        backend: Box<dyn SolverBackend>,
-        problem: &Problem,
-        span: (f64, f64),
-        notes: &Notes,
-    ) -> Self {
-        let mut live = Self {
-            backend,
+    /// No answer yet, and nothing asked, of this problem.
+    pub fn new(problem: &Problem, notes: &Notes) -> Self {
+        Self {
             generation: 0,
             asked: problem.clone(),
             shape: None,
@@ -66,14 +58,13 @@ impl Live {
             drawing: draw(problem, &Solution::default(), notes),
             revision: 0,
             path_revision: 0,
-        };
-        live.ask(problem, StartFrom::Straight, span);
-        live
+        }
     }
 
-    /// Asks for a shape, in the place of whatever is being solved.
-    /// `span` is that of [`Request::span`].
-    pub fn ask(&mut self, problem: &Problem, from: StartFrom, span: (f64, f64)) {
+    /// The request for a shape, which is waited for from now on. `span` is that
+    /// of [`Request::span`].
+    #[must_use = "it is to be given to the solver"]
+    pub fn ask(&mut self, problem: &Problem, from: StartFrom, span: (f64, f64)) -> Request {
         if !self.asked.same_but_for_pull(problem) {
             self.path_is_current = false;
             self.course += 1;
@@ -84,43 +75,36 @@ impl Live {
             self.leap = None;
         }
         self.asked.clone_from(problem);
-        self.backend.submit(Request {
+        Request {
             generation: self.generation,
             course: self.course,
             problem: problem.clone(),
             from,
             span,
-        });
+        }
     }
 
-    /// Takes what the solver has found. Whether there was anything.
-    pub fn poll(&mut self) -> bool {
-        let mut news = false;
-        while let Some(found) = self.backend.poll() {
-            match found.update {
-                Update::Shape(shape) => {
-                    // An answer to an older request shows less than what is
-                    // known already, and one from before the last start is of
-                    // another robot.
-                    let newest = self.shape.as_ref().map_or(0, |known| known.generation);
-                    if shape.generation > newest && shape.generation >= self.start {
-                        // Of several answers in one frame each may be a leap.
-                        let leap = self.leap_to(&shape.solution, newest);
-                        self.leap = leap.or(self.leap.take());
-                        self.shape = Some(*shape);
-                        self.time = found.time;
-                        news = true;
-                    }
-                }
-                Update::Path { course, path } => {
-                    self.path = Some(Arc::from(path));
-                    self.path_revision += 1;
-                    self.path_is_current = course == self.course;
-                    news = true;
-                }
-            }
+    /// Takes a shape that took so long. Whether it is news.
+    pub fn take_shape(&mut self, shape: Shape, time: Duration) -> bool {
+        // An answer to an older request shows less than what is known already,
+        // and one from before the last start is of another robot.
+        let newest = self.shape.as_ref().map_or(0, |known| known.generation);
+        let is_news = shape.generation > newest && shape.generation >= self.start;
+        if is_news {
+            // Of several answers in one frame each may be a leap.
+            let leap = self.leap_to(&shape.solution, newest);
+            self.leap = leap.or(self.leap.take());
+            self.shape = Some(shape);
+            self.time = time;
         }
-        news
+        is_news
+    }
+
+    /// Takes a path of this course.
+    pub fn take_path(&mut self, course: u64, path: Box<Path>) {
+        self.path = Some(Arc::from(path));
+        self.path_revision += 1;
+        self.path_is_current = course == self.course;
     }
 
     /// What the robot left if it jumped to this solution from the known shape,
@@ -219,11 +203,6 @@ impl Live {
             .is_none_or(|shape| shape.generation < self.generation)
     }
 
-    /// Whether the solver needs frames to go on.
-    pub fn wants_frames(&self) -> bool {
-        self.backend.wants_frames()
-    }
-
     /// The picture of all this.
     pub fn drawing(&self) -> &Drawing {
         &self.drawing
@@ -238,13 +217,8 @@ impl Live {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::backend::{Found, Thread};
     use crate::scene::Scene;
-    use crate::solving::{Job, Work};
-    use std::cell::RefCell;
-    use std::collections::VecDeque;
-    use std::rc::Rc;
-    use std::sync::mpsc::{Receiver, channel};
+    use crate::solving::{Job, Update, Work};
 
     const SPAN: (f64, f64) = (0.0, 0.012);
 
@@ -263,108 +237,76 @@ mod tests {
         problem(|scene| scene.robot.length_mm += 10.0)
     }
 
-    /// A thread, and a word from it for each thing that it has found and when
-    /// it has nothing left to do.
-    fn thread() -> (Box<Thread>, Receiver<()>) {
-        let (sender, words) = channel();
-        let thread = Thread::new(move || {
-            let _ = sender.send(());
-        });
-        (Box::new(thread.unwrap()), words)
+    /// All that a request leads to.
+    fn solve(job: &mut Job, request: Request) -> Vec<Update> {
+        job.take(request);
+        let mut found = Vec::new();
+        loop {
+            match job.work() {
+                Work::More => {}
+                Work::Done => return found,
+                Work::Found(update) => found.push(update),
+            }
+        }
     }
 
-    fn hear(words: &Receiver<()>, count: usize) {
-        for _ in 0..count {
-            words.recv().unwrap();
+    fn take(live: &mut Live, found: Vec<Update>) {
+        for update in found {
+            match update {
+                Update::Shape(shape) => {
+                    live.take_shape(*shape, Duration::ZERO);
+                }
+                Update::Path { course, path } => live.take_path(course, path),
+                other => panic!("{other:?}"),
+            }
         }
+    }
+
+    /// A robot that is solved, and answers that were not looked at yet.
+    fn solved() -> (Live, Job, Vec<Update>) {
+        let mut job = Job::default();
+        let mut live = Live::new(&pulled(4.0), &Notes::default());
+        let request = live.ask(&pulled(4.0), StartFrom::Straight, SPAN);
+        let found = solve(&mut job, request);
+        (live, job, found)
     }
 
     #[test]
     fn a_path_that_was_found_before_the_next_request_is_shown() {
-        let (thread, words) = thread();
-        let mut live = Live::new(thread, &pulled(4.0), SPAN, &Notes::default());
-        // Its shape, its path, and the end of its work.
-        hear(&words, 3);
-        live.ask(&pulled(4.5), StartFrom::Last, SPAN);
-        // The same path holds: a shape, and the end.
-        hear(&words, 2);
-        assert!(live.poll());
+        let (mut live, mut job, mut found) = solved();
+        let request = live.ask(&pulled(4.5), StartFrom::Last, SPAN);
+        let more = solve(&mut job, request);
+        // The same path holds.
+        assert_eq!((found.len(), more.len()), (2, 1));
+        found.extend(more);
+        take(&mut live, found);
         assert!(live.is_settled() && live.path_is_current());
         assert!(!live.path().unwrap().states.is_empty());
     }
 
-    /// A backend that takes the newest request when it is let, so that others
-    /// are replaced unseen.
-    #[derive(Default)]
-    struct Late {
-        request: Option<Request>,
-        found: VecDeque<Found>,
-        job: Job,
-    }
-
-    impl Late {
-        fn solve(&mut self) {
-            if let Some(request) = self.request.take() {
-                self.job.take(request);
-            }
-            loop {
-                match self.job.work() {
-                    Work::More => {}
-                    Work::Done => return,
-                    Work::Found(update) => {
-                        let time = Duration::ZERO;
-                        self.found.push_back(Found { update, time });
-                    }
-                }
-            }
-        }
-    }
-
-    impl SolverBackend for Rc<RefCell<Late>> {
-        fn submit(&mut self, request: Request) {
-            self.borrow_mut().request = Some(request);
-        }
-
-        fn poll(&mut self) -> Option<Found> {
-            self.borrow_mut().found.pop_front()
-        }
-
-        fn wants_frames(&self) -> bool {
-            true
-        }
-    }
-
-    /// A window's robot that is solved and not yet looked at.
-    fn late() -> (Live, Rc<RefCell<Late>>) {
-        let late = Rc::new(RefCell::new(Late::default()));
-        let backend = Box::new(Rc::clone(&late));
-        let live = Live::new(backend, &pulled(4.0), SPAN, &Notes::default());
-        late.borrow_mut().solve();
-        (live, late)
-    }
-
     #[test]
     fn a_robot_that_was_another_for_a_moment_has_its_path() {
-        let (mut live, late) = late();
-        live.poll();
+        let (mut live, mut job, found) = solved();
+        take(&mut live, found);
         assert!(live.path_is_current());
-        live.ask(&longer(), StartFrom::Last, SPAN);
+        // Replaced before anyone has seen it.
+        let _ = live.ask(&longer(), StartFrom::Last, SPAN);
         assert!(!live.path_is_current());
-        live.ask(&pulled(4.0), StartFrom::Last, SPAN);
-        late.borrow_mut().solve();
-        live.poll();
+        let request = live.ask(&pulled(4.0), StartFrom::Last, SPAN);
+        let found = solve(&mut job, request);
+        take(&mut live, found);
         assert!(live.is_settled() && live.path_is_current());
         assert_eq!(live.path().unwrap().length, pulled(4.0).length());
     }
 
     #[test]
     fn an_answer_from_before_the_last_start_is_not_shown() {
-        let (mut live, late) = late();
-        live.ask(&longer(), StartFrom::Straight, SPAN);
-        live.poll();
+        let (mut live, mut job, found) = solved();
+        let request = live.ask(&longer(), StartFrom::Straight, SPAN);
+        take(&mut live, found);
         assert!(live.shape().is_none());
-        late.borrow_mut().solve();
-        live.poll();
+        let found = solve(&mut job, request);
+        take(&mut live, found);
         assert!(live.is_settled());
     }
 }

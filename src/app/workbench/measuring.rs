@@ -1,9 +1,9 @@
 //! What was measured, against the robot: the distances of the shape, and the
 //! search for the pull that suits best.
 
-use crate::experiments::{MeasuredFault, ShapeFit};
+use crate::experiments::{MeasuredFault, ShapeError, ShapeFit};
 use crate::scene::Scene;
-use std::sync::mpsc::Receiver;
+use crate::solving::TaskId;
 
 /// Measurements against the robot.
 #[derive(Default)]
@@ -27,8 +27,10 @@ pub struct Basis {
 pub struct Search {
     /// The scene it was started for.
     pub scene: Scene,
-    /// Where what it finds comes.
-    pub result: Receiver<Result<ShapeFit, String>>,
+    /// The solver's name for it.
+    pub task: TaskId,
+    /// The share of it that is done, from 0 to 1.
+    pub share: f64,
 }
 
 /// The pull that suits the measurement best.
@@ -37,13 +39,31 @@ pub struct Best {
     /// The scene it was found for.
     pub scene: Scene,
     /// The distances that are left at that pull, or why there is no such pull.
-    pub fit: Result<ShapeFit, String>,
+    pub fit: Result<ShapeFit, ShapeError>,
 }
 
 impl Measuring {
-    /// Whether the best pull is being searched for.
-    pub fn is_searching(&self) -> bool {
-        self.search.is_some()
+    /// Notes how far a search is.
+    pub(super) fn go_on(&mut self, task: TaskId, share: f64) {
+        if let Some(search) = self.search.as_mut().filter(|search| search.task == task) {
+            search.share = share;
+        }
+    }
+
+    /// Takes what a search has found; nothing of one that was given up.
+    pub(super) fn end(&mut self, task: TaskId, fit: Result<ShapeFit, ShapeError>) {
+        if let Some(search) = self.search.take_if(|search| search.task == task) {
+            let scene = search.scene;
+            self.best = Some(Best { scene, fit });
+        }
+    }
+
+    /// Gives up a search that is not for this scene, whatever its pull is, and
+    /// says which.
+    pub(super) fn give_up(&mut self, scene: &Scene) -> Option<TaskId> {
+        let search = &mut self.search;
+        let given_up = search.take_if(|search| !same_but_for_pull(&search.scene, scene));
+        given_up.map(|search| search.task)
     }
 
     /// The best pull, if it was found for this scene, whatever its pull is now.

@@ -50,7 +50,7 @@ use super::platform::Detached;
 use super::words;
 use crate::geometry::Vector;
 use crate::scene::{Scene, SceneError};
-use crate::solving::StartFrom;
+use crate::solving::{Answer, Order, StartFrom, Task, TaskId, Update};
 use crate::view::Notes;
 use document::Settled;
 use eframe::egui::Context;
@@ -66,6 +66,10 @@ pub struct Workbench {
     pub history: History,
     /// Its solution.
     pub live: Live,
+    /// Who solves.
+    solver: Box<dyn SolverBackend>,
+    /// Tasks that were given to the solver.
+    tasks: u64,
     /// Where the tip has been.
     pub trace: Trace,
     /// The backbone's nodes, in metres, before the last jump, until a view takes
@@ -108,14 +112,15 @@ impl Workbench {
     /// A workbench with a document on it.
     pub fn new(
         document: Document,
-        backend: Box<dyn SolverBackend>,
+        solver: Box<dyn SolverBackend>,
         preferences: Preferences,
     ) -> Self {
         let notes = Notes::of(&document.scene);
-        let span = pull::span(&document);
-        Self {
+        let mut bench = Self {
             history: History::new(&document.scene),
-            live: Live::new(backend, document.problem(), span, &notes),
+            live: Live::new(document.problem(), &notes),
+            solver,
+            tasks: 0,
             document,
             opened: 0,
             trace: Trace::default(),
@@ -135,7 +140,9 @@ impl Workbench {
             notices: Notices::default(),
             photos: Photos::default(),
             measuring: Measuring::default(),
-        }
+        };
+        bench.restart();
+        bench
     }
 
     /// Opens a scene in the place of the present one, solved from the straight
@@ -160,12 +167,44 @@ impl Workbench {
 
     fn ask(&mut self, from: StartFrom) {
         let span = pull::span(&self.document);
-        self.live.ask(self.document.problem(), from, span);
+        let request = self.live.ask(self.document.problem(), from, span);
+        self.solver.submit(Order::Live(request));
+        if let Some(task) = self.measuring.give_up(&self.document.scene) {
+            self.solver.submit(Order::Cancel(task));
+        }
+    }
+
+    /// Gives the solver a task, to be done in the pauses of live work. Whoever
+    /// has asked for it finds its answer by the name returned.
+    pub fn begin(&mut self, task: Task) -> TaskId {
+        self.tasks += 1;
+        let id = TaskId(self.tasks);
+        self.solver.submit(Order::Task(id, task));
+        id
+    }
+
+    /// Whether the solver needs frames to go on.
+    pub fn wants_frames(&self) -> bool {
+        self.solver.wants_frames()
     }
 
     /// Takes what the solver has found.
     pub fn poll(&mut self) {
-        if self.live.poll() {
+        let mut news = false;
+        while let Some(found) = self.solver.poll() {
+            match found.update {
+                Update::Shape(shape) => news |= self.live.take_shape(*shape, found.time),
+                Update::Path { course, path } => {
+                    self.live.take_path(course, path);
+                    news = true;
+                }
+                Update::Share { task, share } => self.measuring.go_on(task, share),
+                Update::Answer { task, answer } => match *answer {
+                    Answer::BestPull(fit) => self.measuring.end(task, fit),
+                },
+            }
+        }
+        if news {
             if let Some(leap) = self.live.take_leap() {
                 let told = words::event(&leap.jump, &self.document.scene);
                 self.notices.tell(Notice::information(told));

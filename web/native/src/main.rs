@@ -5,8 +5,8 @@
 //! the median over the batches of the milliseconds that a solve takes.
 
 use anyhow::{Context, Result, ensure};
-use sinew::solving::wire::{read_request, write_update};
-use sinew::solving::{Job, Work};
+use sinew::solving::wire::{read_order, write_update};
+use sinew::solving::{Executor, Work};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -35,10 +35,10 @@ fn main() -> Result<()> {
 
 /// Answers a request with its shape, as the worker does.
 fn answer(request: &[u8]) -> Result<()> {
-    let mut job = Job::default();
-    job.take(read_request(black_box(request))?);
+    let mut executor = Executor::default();
+    executor.take(read_order(black_box(request))?);
     loop {
-        match job.work() {
+        match executor.work() {
             Work::More => {}
             Work::Found(update) => {
                 black_box(write_update(&update)?);

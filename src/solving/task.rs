@@ -1,0 +1,71 @@
+//! What can be done in a batch: each kind of task as data that can go to
+//! another thread or to a worker, its work in slices, and its answer. Which
+//! task has its turn is the executor's business.
+
+use crate::equilibrium::Progress;
+use crate::experiments::{Measured, PullSearch, ShapeError, ShapeFit};
+use crate::mechanics::Problem;
+use serde::{Deserialize, Serialize};
+
+/// Iterations of a slice, as in live work: about 0.1 ms for the paper's robot.
+const SLICE: usize = 32;
+
+/// Names a task among those of one window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct TaskId(pub u64);
+
+/// Something that is done once, however long it takes.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub enum Task {
+    /// The search for the pull whose shape is nearest to a measured one.
+    BestPull {
+        /// The robot and its obstacles; its own pull does not matter.
+        problem: Problem,
+        /// What was measured of it.
+        measured: Measured,
+    },
+}
+
+/// What a task has led to.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Answer {
+    /// The distances that are left at the best pull, or why there is none.
+    BestPull(Result<ShapeFit, ShapeError>),
+}
+
+/// A task that was begun.
+#[derive(Debug)]
+pub(super) enum Doing {
+    BestPull(Box<PullSearch>),
+}
+
+impl Doing {
+    pub fn begin(task: Task) -> Self {
+        match task {
+            Task::BestPull { problem, measured } => {
+                Self::BestPull(Box::new(PullSearch::new(problem, measured)))
+            }
+        }
+    }
+
+    /// Works for a moment.
+    pub fn work(&mut self) -> Progress {
+        match self {
+            Self::BestPull(search) => search.advance(SLICE),
+        }
+    }
+
+    /// What share of it is done, from 0 to 1.
+    pub fn share(&self) -> f64 {
+        match self {
+            Self::BestPull(search) => search.share(),
+        }
+    }
+
+    /// The answer, of one that is done.
+    pub fn answer(self) -> Answer {
+        match self {
+            Self::BestPull(search) => Answer::BestPull(search.finish().map(|(_, _, fit)| fit)),
+        }
+    }
+}
