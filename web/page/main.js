@@ -216,8 +216,9 @@ canvas.addEventListener('webglcontextlost', () => {
 if (embedded) leaveWheel();
 if (await canDraw()) {
   try {
-    if (!embedded) await drawers.open();
-    await start({ module_or_path: await download() });
+    const drawer = embedded ? undefined : drawers.open();
+    const [program] = await Promise.all([download(), drawer]);
+    await start({ module_or_path: program });
     // Only a build for tests has it.
     if (app.sinew_state) globalThis.sinew_test = app;
     keepForOffline();
