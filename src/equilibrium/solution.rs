@@ -112,7 +112,7 @@ impl Solution {
                 (id, contact.multiplier / scale)
             })
             .collect();
-        multipliers.sort_by_key(|(id, _)| *id);
+        sort_by_id(&mut multipliers);
         multipliers
     }
 
@@ -160,4 +160,9 @@ impl Solution {
                 .for_each(|contact| contact.point += by);
         }
     }
+}
+
+/// Puts values of rows in the order of these.
+pub(super) fn sort_by_id(rows: &mut [(RowId, f64)]) {
+    rows.sort_by_key(|(id, _)| *id);
 }

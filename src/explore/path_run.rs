@@ -2,6 +2,7 @@
 
 use super::path::{End, Path, PathState};
 use crate::equilibrium::{Event, Occurrence, Progress, Run, Settings, Start, Status};
+use crate::math::within;
 use crate::mechanics::Problem;
 
 /// Which way from the straight robot.
@@ -59,7 +60,7 @@ impl PathRun {
         let mut pulls = pulls;
         pulls.retain(|pull| pull.is_finite() && *pull != 0.0);
         for pull in &mut pulls {
-            *pull = pull.clamp(least, most);
+            *pull = within(*pull, least, most);
         }
         pulls.sort_by(f64::total_cmp);
         pulls.dedup();

@@ -7,6 +7,7 @@
 use super::edge::sweeps_over;
 use super::obstacle::{Core, Obstacle};
 use super::{Vector, cross, to_parry};
+use crate::math::within;
 use parry2d_f64::math::Pose;
 use parry2d_f64::query;
 use parry2d_f64::shape::{Ball, ConvexPolygon, Segment};
@@ -105,7 +106,7 @@ impl Obstacle {
                 if vertices.len() == 2 && cross(edge, point - start) > 0.0 {
                     continue;
                 }
-                let along = (edge.dot(&(point - start)) / length).clamp(0.0, length);
+                let along = within(edge.dot(&(point - start)) / length, 0.0, length);
                 let distance = (start + edge * (along / length) - point).norm();
                 if distance < nearest.0 {
                     *nearest = (distance, round + along);

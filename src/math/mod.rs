@@ -4,8 +4,10 @@ mod asinc;
 mod digits;
 mod greatest;
 mod packed_cholesky;
+mod within;
 
 pub use asinc::asinc;
 pub use digits::{decimals, shortest, typeset, unsigned_zero, with_minus};
 pub use greatest::greatest;
 pub use packed_cholesky::PackedCholesky;
+pub use within::within;

@@ -3,6 +3,7 @@
 use super::four_bar::FourBar;
 use crate::contact::Surroundings;
 use crate::geometry::{Obstacle, Vector};
+use crate::math::within;
 use crate::robot::{Candidate, Robot};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -91,7 +92,7 @@ impl Problem {
         obstacles: Vec<Obstacle>,
     ) -> Self {
         let (least, most) = robot.pull_range();
-        assert!((least..=most).contains(&pull), "a pull of {pull} m");
+        assert!((least..=most).contains(&pull), "a pull out of range");
         Self {
             robot,
             pull,
@@ -142,7 +143,7 @@ impl Problem {
     pub fn set_pull(&mut self, pull: f64) {
         assert!(!pull.is_nan(), "a pull that is not a number");
         let (least, most) = self.robot.pull_range();
-        self.pull = pull.clamp(least, most);
+        self.pull = within(pull, least, most);
         self.segment = segment(&self.robot, self.pull);
     }
 

@@ -3,6 +3,7 @@
 use super::{Rows, Run};
 use crate::contact::RowKind;
 use crate::equilibrium::event::{Event, Occurrence};
+use crate::math::within;
 use crate::solver::RowId;
 
 /// What a change of a row's standing makes.
@@ -107,7 +108,7 @@ impl Run {
         };
         let rate = (here - before) / (self.at - before_at);
         if rate < 0.0 {
-            (self.at - here / rate).clamp(self.at, end)
+            within(self.at - here / rate, self.at, end)
         } else {
             end
         }

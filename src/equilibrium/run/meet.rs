@@ -4,6 +4,7 @@ use super::{Rows, Run};
 use crate::contact::RowKind;
 use crate::equilibrium::approach;
 use crate::equilibrium::event::{Event, Occurrence};
+use crate::equilibrium::solution::sort_by_id;
 use crate::geometry::Obstacle;
 use crate::mechanics::Problem;
 use crate::solver::RowId;
@@ -82,7 +83,7 @@ impl Rows {
                 .iter()
                 .filter_map(|(id, value)| Some((name(*id)?, *value)));
             let mut rows: Vec<(RowId, f64)> = named.collect();
-            rows.sort_by_key(|(id, _)| *id);
+            sort_by_id(&mut rows);
             rows
         };
         Self {
