@@ -13,8 +13,9 @@ use crate::contact::RowKind;
 use crate::solver::{Control, Settings, Tunnelling};
 
 /// A step that moves no part of a disk farther than this, over the backbone's
-/// length, follows the branch: it is none that anybody would call a jump: at 180 mm, 0.02 mm. A robot that is
-/// wedged between obstacles may have nothing but such steps before it.
+/// length, follows the branch: nobody would call it a jump (at 180 mm, 0.02 mm).
+/// A robot that is wedged between obstacles may have nothing but such steps before
+/// it.
 const UNSEEN: f64 = 1e-4;
 /// Any other is refused where a control changes by more than this, over what its
 /// mechanics calls a large change.
