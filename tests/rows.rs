@@ -8,7 +8,7 @@ use sinew::contact::RowKind;
 use sinew::geometry::Vector;
 use sinew::mechanics::Problem;
 use sinew::robot::{Element, PlanarNode};
-use sinew::solver::{Chain, Control, Row, RowId};
+use sinew::solver::{Chain, Control, Row, RowCurvature, RowId};
 
 fn nodes(problem: &Problem, controls: &[Control<1>]) -> Vec<PlanarNode> {
     let mut nodes = vec![problem.base()];
@@ -130,7 +130,13 @@ fn derivatives_in_the_nodes_states_against_differences() {
             let found = rows(&problem, &moved);
             found.into_iter().find(|other| other.id == row.id)
         };
-        let curvature = problem.row_curvature(&row, &nodes);
+        let RowCurvature::States {
+            after: own,
+            before: parts,
+        } = problem.row_curvature(&row, &nodes)
+        else {
+            panic!("a row of the paper's robot is inside no stage");
+        };
         let mut all = true;
         for node in 0..nodes.len() {
             for axis in 0..3 {
@@ -156,8 +162,8 @@ fn derivatives_in_the_nodes_states_against_differences() {
                 }
                 for other in 0..3 {
                     let bend = (after.after[other] - before.after[other]) / (2.0 * h);
-                    let exact = match (node == row.stage, &curvature.before) {
-                        (true, _) => curvature.after[(other, axis)],
+                    let exact = match (node == row.stage, &parts) {
+                        (true, _) => own[(other, axis)],
                         (false, Some((_, across))) => across[(axis, other)],
                         (false, None) => 0.0,
                     };
@@ -165,14 +171,11 @@ fn derivatives_in_the_nodes_states_against_differences() {
                         (bend - exact).abs() < 1e-4,
                         "{row:?} {node} {axis}: {bend} {exact}"
                     );
-                    if let (false, Some(own), Some(a), Some(b)) = (
-                        node == row.stage,
-                        curvature.before,
-                        after.before,
-                        before.before,
-                    ) {
+                    if let (false, Some(below), Some(a), Some(b)) =
+                        (node == row.stage, parts, after.before, before.before)
+                    {
                         let bend = (a[other] - b[other]) / (2.0 * h);
-                        let exact = own.0[(other, axis)];
+                        let exact = below.0[(other, axis)];
                         assert!((bend - exact).abs() < 1e-4, "{row:?}: {bend} {exact}");
                     }
                 }

@@ -64,6 +64,7 @@ impl Chain<2, 1> for Plane {
             by_state: SMatrix::identity(),
             by_control: axis,
             cost,
+            cost_by_state: State::zeros(),
             cost_gradient: vector![slope],
             cost_curvature: SMatrix::from_element(curvature),
         };
@@ -93,8 +94,8 @@ impl Chain<2, 1> for Plane {
         }
     }
 
-    fn row_curvature(&self, row: &Row<2, 1>, nodes: &[Vector2<f64>]) -> RowCurvature<2> {
-        RowCurvature {
+    fn row_curvature(&self, row: &Row<2, 1>, nodes: &[Vector2<f64>]) -> RowCurvature<2, 1> {
+        RowCurvature::States {
             after: self.scale * self.rows[row.id.0 as usize](nodes[2]).2,
             before: None,
         }
@@ -263,7 +264,7 @@ fn rows_that_cannot_be_met_together_give_way_alike() {
     assert!((most - 1e6).abs() < 1.0, "{:?}", sqp.multipliers());
     assert!((sqp.point().total_violation() - 1.0).abs() < 1e-9);
     let last = sqp.trace().last().unwrap();
-    assert!((last.violation - sqp.point().worst_violation()).abs() < 1e-15);
+    assert!((last.violation - sqp.point().worst_violation(sqp.multipliers())).abs() < 1e-15);
 }
 
 /// A multiplier above the first penalty and below the second.

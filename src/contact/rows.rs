@@ -94,8 +94,8 @@ impl Surroundings {
         &self,
         row: &Row<3, NU>,
         nodes: &[PlanarNode],
-    ) -> RowCurvature<3> {
-        let none = RowCurvature {
+    ) -> RowCurvature<3, NU> {
+        let none = RowCurvature::States {
             after: SMatrix::zeros(),
             before: None,
         };
@@ -121,7 +121,7 @@ impl Surroundings {
             let along: State<3> = point.gradient(tangent);
             let mut after = clearance.curvature * along * along.transpose();
             after[(2, 2)] += point.curvature(clearance.normal);
-            return RowCurvature {
+            return RowCurvature::States {
                 after,
                 before: None,
             };
@@ -162,12 +162,12 @@ impl Surroundings {
         let upper = full.fixed_view::<3, 3>(3, 3).into_owned();
         let across = full.fixed_view::<3, 3>(0, 3).into_owned();
         if row.before.is_some() {
-            RowCurvature {
+            RowCurvature::States {
                 after: upper,
                 before: Some((lower, across)),
             }
         } else {
-            RowCurvature {
+            RowCurvature::States {
                 after: lower + upper + across + across.transpose(),
                 before: None,
             }

@@ -53,17 +53,18 @@ pub struct Stage<const NX: usize, const NU: usize> {
     pub by_state: SMatrix<f64, NX, NX>,
     /// B = ∂F/∂u.
     pub by_control: SMatrix<f64, NX, NU>,
-    /// L(u), of the control alone. Not finite where the control is outside the
-    /// stage's domain.
+    /// L(z, u). Not finite where the control is outside the stage's domain.
     pub cost: f64,
+    /// ∂L/∂z, which is looked at only where [`Chain::COST_OF_STATE`] says so.
+    pub cost_by_state: State<NX>,
     /// ∂L/∂u.
     pub cost_gradient: Control<NU>,
     /// ∂²L/∂u².
     pub cost_curvature: SMatrix<f64, NU, NU>,
 }
 
-/// The second derivative of pᵀF(z, u) at one stage, in the charts of its two
-/// nodes. Linear in p.
+/// The second derivative of a function of (z, u) at one stage, in the charts of
+/// its nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct DynamicsCurvature<const NX: usize, const NU: usize> {
     /// ∂²/∂z², symmetric.
@@ -81,8 +82,9 @@ pub struct DynamicsCurvature<const NX: usize, const NU: usize> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct RowId(pub u64);
 
-/// One inequality g(z_{k−1}, z_k, u_k) ≥ 0 with its gradient. In its control it
-/// is affine: g = h(z_{k−1}, z_k) + cᵀu_k with a constant c.
+/// One inequality g(z_{k−1}, z_k, u_k) ≥ 0 with its gradient. It is affine in its
+/// control, g = h(z_{k−1}, z_k) + cᵀu_k with a constant c, or curved in it and then
+/// independent of z_k: g = h(z_{k−1}, u_k).
 #[derive(Clone, Copy, Debug)]
 pub struct Row<const NX: usize, const NU: usize> {
     /// Its name.
@@ -95,7 +97,7 @@ pub struct Row<const NX: usize, const NU: usize> {
     pub before: Option<State<NX>>,
     /// ∂g/∂z_k.
     pub after: State<NX>,
-    /// c = ∂g/∂u_k, what the states change aside.
+    /// ∂g/∂u_k, what the states change aside.
     pub control: Control<NU>,
 }
 
@@ -110,15 +112,32 @@ impl<const NX: usize, const NU: usize> Row<NX, NU> {
     }
 }
 
-/// The second derivative of a row in its two states. Those in its control are
-/// zero, see [`Row`].
+/// The second derivative of a row, see [`Row`].
 #[derive(Clone, Copy, Debug)]
-pub struct RowCurvature<const NX: usize> {
-    /// ∂²g/∂z_k², symmetric.
-    pub after: SMatrix<f64, NX, NX>,
-    /// (∂²g/∂z_{k−1}², ∂²g/∂z_{k−1}∂z_k); `None` for a row of one node, as in
-    /// [`Row::before`].
-    pub before: Option<(SMatrix<f64, NX, NX>, SMatrix<f64, NX, NX>)>,
+pub enum RowCurvature<const NX: usize, const NU: usize> {
+    /// Of a row that is affine in its control.
+    States {
+        /// ∂²g/∂z_k², symmetric.
+        after: SMatrix<f64, NX, NX>,
+        /// (∂²g/∂z_{k−1}², ∂²g/∂z_{k−1}∂z_k); `None` for a row of one node, as in
+        /// [`Row::before`].
+        before: Option<(SMatrix<f64, NX, NX>, SMatrix<f64, NX, NX>)>,
+    },
+    /// Of one that does not depend on z_k.
+    Inside(DynamicsCurvature<NX, NU>),
+}
+
+/// A row summed over stages, g = b + Σ_k c_k(u_k) + ε λ ≥ 0, where λ ≥ 0 is its own
+/// multiplier: with ε = 0 an inequality like any other, with ε > 0 one that gives
+/// way as it is pressed.
+#[derive(Clone, Copy, Debug)]
+pub struct SumRow {
+    /// Its name, above those of all [`Row`]s.
+    pub id: RowId,
+    /// b, in the unit of [`Chain::row_scale`].
+    pub bound: f64,
+    /// ε ≥ 0.
+    pub compliance: f64,
 }
 
 /// A chain of stages with inequality rows.
@@ -132,6 +151,11 @@ pub struct RowCurvature<const NX: usize> {
 /// ones give the same answer, bit for bit. None panics for a control outside the
 /// domain.
 pub trait Chain<const NX: usize, const NU: usize> {
+    /// Whether a stage's cost depends on the state it starts from.
+    const COST_OF_STATE: bool = false;
+    /// Whether there may be rows summed over stages.
+    const SUM_ROWS: bool = false;
+
     /// A state z with whatever is derived from it once for all users.
     type Node: Clone + std::fmt::Debug;
     /// What a stage keeps from its evaluation for its second derivative; k too,
@@ -169,8 +193,15 @@ pub trait Chain<const NX: usize, const NU: usize> {
         control: &Control<NU>,
     ) -> (Self::Node, Stage<NX, NU>, Self::Kept);
 
-    /// The second derivative of `adjoint`ᵀF_k where [`Chain::stage`] left `kept`;
-    /// `adjoint` is a gradient in the chart of the node that the stage led to.
+    /// How much larger than for costs of order 1 multipliers may be expected. At
+    /// least 1.
+    fn multiplier_scale(&self) -> f64 {
+        1.0
+    }
+
+    /// The second derivative of `adjoint`ᵀF_k where [`Chain::stage`] left `kept`,
+    /// with that of the cost but for [`Stage::cost_curvature`]; `adjoint` is a
+    /// gradient in the chart of the node that the stage led to.
     fn dynamics_curvature(
         &self,
         kept: &Self::Kept,
@@ -188,7 +219,32 @@ pub trait Chain<const NX: usize, const NU: usize> {
 
     /// The second derivative of a row that [`Chain::rows`] gave for the same
     /// nodes, in the same charts.
-    fn row_curvature(&self, row: &Row<NX, NU>, nodes: &[Self::Node]) -> RowCurvature<NX>;
+    fn row_curvature(&self, row: &Row<NX, NU>, nodes: &[Self::Node]) -> RowCurvature<NX, NU>;
+
+    /// The number of rows summed over stages.
+    fn sum_count(&self) -> usize {
+        0
+    }
+
+    /// A row summed over stages, by its place in the order of their ids.
+    fn sum_row(&self, sum: usize) -> SumRow {
+        SumRow {
+            id: RowId(u64::MAX - sum as u64),
+            bound: 0.0,
+            compliance: 0.0,
+        }
+    }
+
+    /// c_k of a summed row, by its place among them, and its gradient, where
+    /// [`Chain::stage`] left `kept`.
+    fn sum_term(&self, _sum: usize, _k: usize, _kept: &Self::Kept) -> (f64, Control<NU>) {
+        (0.0, Control::zeros())
+    }
+
+    /// The second derivative of c_k.
+    fn sum_curvature(&self, _sum: usize, _k: usize, _kept: &Self::Kept) -> SMatrix<f64, NU, NU> {
+        SMatrix::zeros()
+    }
 
     /// Whether the straight motion from one set of nodes to another leads
     /// through something that only its ends avoid. Both are n + 1, inside the

@@ -15,11 +15,13 @@
 //! ```
 //!
 //! Nothing of size rows × n is ever stored, so hundreds of active rows still
-//! cost O(n) time and memory.
+//! cost O(n) time and memory. The rows summed over stages, of which there are
+//! few, are a border to that: each costs a solve, whose changes of all rows are
+//! its row of S.
 
 use super::chain::{Chain, Control, Row, State};
 use super::point::Point;
-use super::riccati::Riccati;
+use super::riccati::{Riccati, Source};
 use nalgebra::{SMatrix, SVector};
 
 /// A row in terms of the chain's noise.
@@ -45,6 +47,13 @@ impl<const NX: usize, const NU: usize> Response<NX, NU> {
     }
 }
 
+/// A row summed over stages, with all others.
+#[derive(Clone, Debug, Default)]
+struct Border {
+    /// Its row of S, its own compliance on the diagonal; one entry a row.
+    with: Vec<f64>,
+}
+
 /// The rows of a point, ready for products with S.
 #[derive(Clone, Debug)]
 pub(super) struct Covariance<const NX: usize, const NU: usize> {
@@ -56,6 +65,12 @@ pub(super) struct Covariance<const NX: usize, const NU: usize> {
     places: Vec<usize>,
     /// Scratch of [`Covariance::column`]: places and their order.
     order: Vec<(usize, usize)>,
+    /// The rows summed over stages.
+    borders: Vec<Border>,
+    /// Scratch of their solves.
+    weights: Vec<f64>,
+    du: Vec<Control<NU>>,
+    dz: Vec<State<NX>>,
 }
 
 impl<const NX: usize, const NU: usize> Default for Covariance<NX, NU> {
@@ -65,6 +80,10 @@ impl<const NX: usize, const NU: usize> Default for Covariance<NX, NU> {
             responses: Vec::new(),
             places: Vec::new(),
             order: Vec::new(),
+            borders: Vec::new(),
+            weights: Vec::new(),
+            du: Vec::new(),
+            dz: Vec::new(),
         }
     }
 }
@@ -74,8 +93,11 @@ impl<const NX: usize, const NU: usize> Covariance<NX, NU> {
     pub fn refresh<C: Chain<NX, NU>>(
         &mut self,
         point: &Point<C, NX, NU>,
-        riccati: &Riccati<NX, NU>,
+        riccati: &mut Riccati<NX, NU>,
     ) {
+        if C::SUM_ROWS {
+            self.refresh_borders(point, riccati);
+        }
         let empty = |(row, at): (usize, &Row<NX, NU>)| Response {
             row,
             stage: at.stage,
@@ -121,8 +143,41 @@ impl<const NX: usize, const NU: usize> Covariance<NX, NU> {
         }
     }
 
+    fn refresh_borders<C: Chain<NX, NU>>(
+        &mut self,
+        point: &Point<C, NX, NU>,
+        riccati: &mut Riccati<NX, NU>,
+    ) {
+        let count = point.row_count();
+        self.borders.resize(point.sums.len(), Border::default());
+        for (index, border) in self.borders.iter_mut().enumerate() {
+            self.weights.clear();
+            self.weights.resize(count, 0.0);
+            self.weights[point.rows.len() + index] = 1.0;
+            let weights = Source::Rows(&self.weights);
+            riccati.solve(point, weights, &mut self.du, &mut self.dz);
+            border.with.clear();
+            let (du, dz) = (&self.du, &self.dz);
+            border
+                .with
+                .extend(point.rows.iter().map(|row| row.change(du, dz)));
+            border
+                .with
+                .extend(point.sums.iter().map(|sum| sum.change(du)));
+            border.with[point.rows.len() + index] += point.sums[index].row.compliance;
+        }
+    }
+
+    /// The summed row in this place among all rows, if it is one.
+    fn border(&self, row: usize) -> Option<&Border> {
+        self.borders.get(row.checked_sub(self.responses.len())?)
+    }
+
     /// The entry of S on its diagonal.
     pub fn diagonal(&self, row: usize) -> f64 {
+        if let Some(border) = self.border(row) {
+            return border.with[row];
+        }
         let response = &self.responses[self.places[row]];
         response.within(response)
     }
@@ -130,14 +185,24 @@ impl<const NX: usize, const NU: usize> Covariance<NX, NU> {
     /// The entries of S of one row against some others, in their order. Costs
     /// the stages between the outermost of them.
     pub fn column(&mut self, row: usize, others: &[usize], column: &mut Vec<f64>) {
+        column.clear();
+        if let Some(border) = self.border(row) {
+            column.extend(others.iter().map(|other| border.with[*other]));
+            return;
+        }
         let place = self.places[row];
         let here = &self.responses[place];
-        column.clear();
         column.resize(others.len(), 0.0);
         self.order.clear();
-        let places = others.iter().enumerate();
-        self.order
-            .extend(places.map(|(slot, other)| (self.places[*other], slot)));
+        for (slot, other) in others.iter().enumerate() {
+            match self.places.get(*other) {
+                Some(place) => self.order.push((*place, slot)),
+                None => {
+                    let border = &self.borders[*other - self.responses.len()];
+                    column[slot] = border.with[row];
+                }
+            }
+        }
         self.order.sort_unstable();
         let split = self.order.partition_point(|(other, _)| *other < place);
         let mut stage = here.stage;
@@ -173,6 +238,20 @@ impl<const NX: usize, const NU: usize> Covariance<NX, NU> {
     /// `product` = S `weights`, both one entry a row of the point.
     pub fn multiply(&self, weights: &[f64], product: &mut [f64]) {
         product.iter_mut().for_each(|entry| *entry = 0.0);
+        self.multiply_stages(weights, product);
+        let own = self.responses.len();
+        for (index, border) in self.borders.iter().enumerate() {
+            let weight = weights[own + index];
+            for (entry, with) in product.iter_mut().zip(&border.with) {
+                *entry += weight * with;
+            }
+            let others = weights[..own].iter().zip(&border.with);
+            product[own + index] += others.map(|(weight, with)| weight * with).sum::<f64>();
+        }
+    }
+
+    /// Adds the products among the rows that are not summed.
+    fn multiply_stages(&self, weights: &[f64], product: &mut [f64]) {
         let used = |response: &&Response<NX, NU>| weights[response.row] != 0.0;
         let Some(first) = self.responses.iter().position(|r| used(&r)) else {
             return;
@@ -244,7 +323,7 @@ mod tests {
         let mut riccati = Riccati::default();
         riccati.factor(&point.stages, &hessian, 0.5, 1e-9).unwrap();
         let mut covariance = Covariance::default();
-        covariance.refresh(&point, &riccati);
+        covariance.refresh(&point, &mut riccati);
 
         let all: Vec<usize> = (0..rows).rev().collect();
         let (mut du, mut dz, mut column) = (Vec::new(), Vec::new(), Vec::new());

@@ -1,7 +1,7 @@
 //! The exact Hessian of the Lagrangian, in the blocks the Riccati recursion
 //! takes. It factors nothing.
 
-use super::chain::{Chain, Control, DynamicsCurvature, Row, State};
+use super::chain::{Chain, Control, DynamicsCurvature, Row, RowCurvature, State};
 use super::point::Point;
 use nalgebra::{SMatrix, SVector};
 
@@ -53,11 +53,22 @@ impl<const NX: usize, const NU: usize> Hessian<NX, NU> {
                 }
             }
         }
+        if C::SUM_ROWS {
+            let weighed = point.sums.iter().zip(&multipliers[point.rows.len()..]);
+            for (sum, &multiplier) in weighed.filter(|(_, multiplier)| **multiplier != 0.0) {
+                for (gradient, term) in self.gradient.iter_mut().zip(&sum.gradient) {
+                    *gradient -= multiplier * term;
+                }
+            }
+        }
         for k in (1..=n).rev() {
             let stage = &point.stages[k - 1];
             let adjoint = self.adjoints[k];
             self.gradient[k - 1] += stage.by_control.tr_mul(&adjoint);
             self.adjoints[k - 1] += stage.by_state.tr_mul(&adjoint);
+            if C::COST_OF_STATE {
+                self.adjoints[k - 1] += stage.cost_by_state;
+            }
         }
         &self.gradient
     }
@@ -82,11 +93,30 @@ impl<const NX: usize, const NU: usize> Hessian<NX, NU> {
         self.nodes.resize(n + 1, SMatrix::zeros());
         for (row, &multiplier) in point.rows.iter().zip(multipliers) {
             if multiplier != 0.0 {
-                let curvature = chain.row_curvature(row, &point.nodes);
-                self.nodes[row.stage] -= multiplier * curvature.after;
-                if let Some((before, across)) = curvature.before {
-                    self.nodes[row.stage - 1] -= multiplier * before;
-                    self.add_across(point, row.stage, &(-multiplier * across));
+                match chain.row_curvature(row, &point.nodes) {
+                    RowCurvature::States { after, before } => {
+                        self.nodes[row.stage] -= multiplier * after;
+                        if let Some((before, across)) = before {
+                            self.nodes[row.stage - 1] -= multiplier * before;
+                            self.add_across(point, row.stage, &(-multiplier * across));
+                        }
+                    }
+                    RowCurvature::Inside(inside) => {
+                        let block = &mut self.stages[row.stage - 1];
+                        block.by_state -= multiplier * inside.by_state;
+                        block.mixed -= multiplier * inside.mixed;
+                        block.by_control -= multiplier * inside.by_control;
+                    }
+                }
+            }
+        }
+        if C::SUM_ROWS {
+            for (sum, &multiplier) in multipliers[point.rows.len()..].iter().enumerate() {
+                if multiplier != 0.0 {
+                    for (k, block) in (1..).zip(&mut self.stages) {
+                        let curvature = chain.sum_curvature(sum, k, &point.kept[k - 1]);
+                        block.by_control -= multiplier * curvature;
+                    }
                 }
             }
         }

@@ -51,6 +51,7 @@ impl Chain<3, 2> for Linear {
             by_state: SMatrix::identity() + SMatrix::from_fn(|i, j| some(k, i, j)),
             by_control: SMatrix::from_fn(|i, j| some(k, i + 3, j)),
             cost: 0.0,
+            cost_by_state: SVector::zeros(),
             cost_gradient: SVector::from_fn(|i, _| some(k, i, 7)),
             cost_curvature: SMatrix::identity() + symmetric(|i, j| 0.5 * some(k, i, j + 20)),
         };
@@ -82,11 +83,11 @@ impl Chain<3, 2> for Linear {
         }
     }
 
-    fn row_curvature(&self, row: &Row<3, 2>, _: &[()]) -> RowCurvature<3> {
+    fn row_curvature(&self, row: &Row<3, 2>, _: &[()]) -> RowCurvature<3, 2> {
         let k = row.id.0 as usize;
         let block = |c: usize| self.bent * symmetric(|i, j| some(k, i, j + c));
         let across = self.bent * SMatrix::from_fn(|i, j| some(k, i, j + 80));
-        RowCurvature {
+        RowCurvature::States {
             after: block(60),
             before: row.before.map(|_| (block(70), across)),
         }
@@ -181,10 +182,16 @@ pub fn hessian(chain: &Linear, point: &Point<Linear, 3, 2>, multipliers: &[f64])
         all += &cross + cross.transpose();
     }
     for (row, multiplier) in point.rows.iter().zip(multipliers) {
-        let bend = chain.row_curvature(row, &[]);
+        let RowCurvature::States {
+            after: own_after,
+            before,
+        } = chain.row_curvature(row, &[])
+        else {
+            continue;
+        };
         let after = sensitivity(point, row.stage);
-        let mut part = after.transpose() * dense3(&bend.after) * &after;
-        if let Some((own, across)) = &bend.before {
+        let mut part = after.transpose() * dense3(&own_after) * &after;
+        if let Some((own, across)) = &before {
             let before = sensitivity(point, row.stage - 1);
             let cross = before.transpose() * dense3(across) * &after;
             part += before.transpose() * dense3(own) * &before + &cross + cross.transpose();

@@ -3,9 +3,10 @@
 //! A chain is the discrete optimal-control problem
 //!
 //! ```text
-//! minimise    Σ_k L_k(u_k)                      k = 1 … n
+//! minimise    Σ_k L_k(z_{k−1}, u_k)             k = 1 … n
 //! subject to  z_k = F_k(z_{k−1}, u_k)           z_0 given
 //!             g_r(z_{k−1}, z_k, u_k) ⪰ 0        rows r, each at one stage k
+//!             b_s + Σ_k c_sk(u_k) ⪰ 0           rows s summed over the stages
 //! ```
 //!
 //! with a state z of dimension `NX` and a control u of dimension `NU` at each
@@ -37,8 +38,10 @@ mod riccati;
 mod sqp;
 mod working_set;
 
-pub use chain::{Chain, Control, DynamicsCurvature, Row, RowCurvature, RowId, Stage, State};
+pub use chain::{
+    Chain, Control, DynamicsCurvature, Row, RowCurvature, RowId, Stage, State, SumRow,
+};
 pub use hessian::Hessian;
-pub use point::Point;
+pub use point::{Point, Sum};
 pub use riccati::{NotPositive, Riccati, Source};
 pub use sqp::{Iteration, Outcome, Progress, Settings, Sqp, Tunnelling};

@@ -28,7 +28,7 @@ pub struct NotPositive {
 /// A right-hand side, as a gradient in controls and states.
 #[derive(Clone, Copy, Debug)]
 pub enum Source<'a> {
-    /// Σ w ∇g, with one weight a row of the point.
+    /// Σ w ∇g, with one weight a row of the point, summed ones last.
     Rows(&'a [f64]),
     /// Σ λ ∇g less the gradient of the cost: the Newton step's.
     Step(&'a [f64]),
@@ -160,9 +160,22 @@ impl<const NX: usize, const NU: usize> Riccati<NX, NU> {
             }
             Source::Step(weights) => {
                 du.extend(stages.iter().map(|stage| -stage.cost_gradient));
+                if C::COST_OF_STATE {
+                    for (dz, stage) in dz.iter_mut().zip(stages) {
+                        *dz -= stage.cost_by_state;
+                    }
+                }
                 weights
             }
         };
+        if C::SUM_ROWS {
+            let weighed = point.sums.iter().zip(&weights[point.rows.len()..]);
+            for (sum, &weight) in weighed.filter(|(_, weight)| **weight != 0.0) {
+                for (du, term) in du.iter_mut().zip(&sum.gradient) {
+                    *du += weight * term;
+                }
+            }
+        }
         for (row, &weight) in point.rows.iter().zip(weights) {
             if weight != 0.0 {
                 dz[row.stage] += weight * row.after;

@@ -20,7 +20,7 @@ mod search;
 
 use super::chain::{Chain, Control, RowId};
 use super::hessian::Hessian;
-use super::point::Point;
+use super::point::{Point, Sum};
 use super::riccati::{NotPositive, Riccati};
 use super::working_set::{Terms, WorkingSet};
 use crate::math::greatest;
@@ -159,7 +159,7 @@ pub struct Sqp<C: Chain<NX, NU>, const NX: usize, const NU: usize> {
     settings: Settings,
     point: Point<C, NX, NU>,
     trial: Point<C, NX, NU>,
-    /// One a row of `point`.
+    /// One a row of `point`, those of summed rows last.
     multipliers: Vec<f64>,
     /// The last multipliers by name, for rows that come back.
     named: Vec<(RowId, f64)>,
@@ -257,7 +257,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         let scale = chain.row_scale();
         let cost_scale = self.cost_scale();
         let stationarity = self.stationarity();
-        let violation = self.point.worst_violation();
+        let violation = self.point.worst_violation(&self.multipliers);
         let active = self.multipliers.iter().filter(|m| **m > 0.0).count();
         self.trace.push(Iteration {
             cost: self.point.cost,
@@ -302,7 +302,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         &self.point
     }
 
-    /// λ, one a row of the point, ≥ 0.
+    /// λ, one a row of the point, ≥ 0; those of summed rows last.
     pub fn multipliers(&self) -> &[f64] {
         &self.multipliers
     }
@@ -318,7 +318,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     }
 
     fn penalty(&self, chain: &C) -> f64 {
-        PENALTIES[self.penalty] / chain.row_scale()
+        PENALTIES[self.penalty] * chain.multiplier_scale() / chain.row_scale()
     }
 
     /// The greatest entry of the cost's gradient, at least 1.
@@ -347,9 +347,18 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     fn complementary(&self, scale: f64) -> bool {
         let tolerance = self.settings.feasibility * scale;
         let pairs = self.point.rows.iter().zip(&self.multipliers);
-        pairs
+        let met = pairs
             .filter(|(_, multiplier)| **multiplier > 0.0)
-            .all(|(row, _)| row.value <= tolerance)
+            .all(|(row, _)| row.value <= tolerance);
+        if !C::SUM_ROWS {
+            return met;
+        }
+        let summed = &self.multipliers[self.point.rows.len()..];
+        let mut pressed = self.point.sums.iter().zip(summed);
+        let slack = |(sum, multiplier): (&Sum<NU>, &f64)| {
+            *multiplier > 0.0 && sum.violation(*multiplier) < -tolerance
+        };
+        met && !pressed.any(slack)
     }
 
     /// Whether some multiplier is at its bound, so that its row gives way.
@@ -389,10 +398,11 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     /// Notes the multipliers of the point's rows by name.
     fn name_multipliers(&mut self) {
         self.named.clear();
-        let rows = self.point.rows.iter().zip(&self.multipliers);
+        let rows = self.multipliers.iter().enumerate();
+        let point = &self.point;
         self.named.extend(
             rows.filter(|(_, multiplier)| **multiplier > 0.0)
-                .map(|(row, &multiplier)| (row.id, multiplier)),
+                .map(|(row, &multiplier)| (point.row_id(row), multiplier)),
         );
     }
 
@@ -400,9 +410,10 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     fn recall_multipliers(&mut self) {
         self.multipliers.clear();
         let mut named = self.named.iter().peekable();
-        for row in &self.point.rows {
-            while named.next_if(|(id, _)| *id < row.id).is_some() {}
-            let multiplier = named.next_if(|(id, _)| *id == row.id).map_or(0.0, |n| n.1);
+        for row in 0..self.point.row_count() {
+            let row = self.point.row_id(row);
+            while named.next_if(|(id, _)| *id < row).is_some() {}
+            let multiplier = named.next_if(|(id, _)| *id == row).map_or(0.0, |n| n.1);
             self.multipliers.push(multiplier);
         }
     }

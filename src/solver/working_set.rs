@@ -125,7 +125,7 @@ impl<const NX: usize, const NU: usize> WorkingSet<NX, NU> {
             &mut self.dz,
         );
         let (du, dz) = (&self.du, &self.dz);
-        let values = point.rows.iter().map(|row| row.value + row.change(du, dz));
+        let values = (0..point.row_count()).map(|row| point.value_after(row, du, dz));
         self.values.extend(values);
         let idle = self.most_violated(terms.tolerance).is_none();
         if idle && guess.iter().all(|guess| *guess <= 0.0) {
@@ -138,7 +138,7 @@ impl<const NX: usize, const NU: usize> WorkingSet<NX, NU> {
         self.repair_start(terms.penalty);
         // Each full step raises the dual objective, so no set comes twice in
         // exact arithmetic; the bound only guards against rounding.
-        for _ in 0..50 + 10 * point.rows.len() {
+        for _ in 0..50 + 10 * point.row_count() {
             let Some(row) = self.most_violated(terms.tolerance) else {
                 break;
             };
@@ -148,16 +148,20 @@ impl<const NX: usize, const NU: usize> WorkingSet<NX, NU> {
     }
 
     /// Moves the step so that the active rows, whose values became `values`
-    /// (one a row) after it, are met to second order: d + H⁻¹ Σ μ ∇g with
-    /// S μ = −values.
+    /// (of a row and its multiplier) after it, are met to second order:
+    /// d + H⁻¹ Σ μ ∇g with S μ = −values.
     pub fn correct<C: Chain<NX, NU>>(
         &mut self,
         riccati: &mut Riccati<NX, NU>,
         point: &Point<C, NX, NU>,
-        values: impl Fn(usize) -> f64,
+        values: impl Fn(usize, f64) -> f64,
     ) {
         self.rates.clear();
-        let right = self.members.iter().map(|&row| -values(row));
+        let multipliers = &self.multipliers;
+        let right = self
+            .members
+            .iter()
+            .map(|&row| -values(row, multipliers[row]));
         self.rates.extend(right);
         self.factor.solve(&mut self.rates);
         self.changes.iter_mut().for_each(|change| *change = 0.0);
@@ -178,7 +182,7 @@ impl<const NX: usize, const NU: usize> WorkingSet<NX, NU> {
     }
 
     fn reset<C: Chain<NX, NU>>(&mut self, point: &Point<C, NX, NU>, guess: &[f64], terms: Terms) {
-        let rows = point.rows.len();
+        let rows = point.row_count();
         for entries in [
             &mut self.multipliers,
             &mut self.offsets,
@@ -194,9 +198,9 @@ impl<const NX: usize, const NU: usize> WorkingSet<NX, NU> {
         self.members.clear();
         self.factor.clear();
         if terms.stiffness > 0.0 {
-            for (row, guess) in guess.iter().enumerate() {
+            for (row, (at, guess)) in point.rows.iter().zip(guess).enumerate() {
                 if held(*guess, terms.penalty) {
-                    self.offsets[row] = -terms.stiffness * point.rows[row].value;
+                    self.offsets[row] = -terms.stiffness * at.value;
                 }
             }
         }

@@ -3,7 +3,7 @@
 
 use crate::rolled_out::at;
 use nalgebra::{DMatrix, DVector};
-use sinew::solver::{Chain, Control, Hessian, Point, Row, RowId};
+use sinew::solver::{Chain, Control, Hessian, Point, RowId};
 
 /// The step of all differences, in controls, which are of order 1. Central
 /// ones err by a sixth of 1e-12 of the third derivative, and by rounding of
@@ -61,8 +61,8 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Around<C, NX, NU> {
     /// A row's slope; `None` where it comes or goes within the step.
     pub fn row_slope(&self, index: usize, id: RowId) -> Option<f64> {
         let [after, before] = &self.sides[index];
-        let (after, before) = (named(after, id)?, named(before, id)?);
-        Some((after.value - before.value) / (2.0 * STEP))
+        let (here, there) = (named(after, id)?, named(before, id)?);
+        Some((value(after, here) - value(before, there)) / (2.0 * STEP))
     }
 
     /// A row's gradient; `None` where it comes or goes within a step.
@@ -75,7 +75,8 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Around<C, NX, NU> {
 
     /// The rows on all sides, so that differences see only smooth changes.
     pub fn steady(&self) -> Vec<RowId> {
-        let mut kept: Vec<RowId> = self.here.rows.iter().map(|row| row.id).collect();
+        let rows = 0..self.here.row_count();
+        let mut kept: Vec<RowId> = rows.map(|row| self.here.row_id(row)).collect();
         kept.retain(|id| self.row_gradient(*id).is_some());
         kept
     }
@@ -84,7 +85,9 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Around<C, NX, NU> {
     /// one λ a row by its id.
     pub fn hessian(&self, multiplier: impl Fn(RowId) -> f64) -> DMatrix<f64> {
         let gradient = |point: &Point<C, NX, NU>| {
-            let multipliers: Vec<f64> = point.rows.iter().map(|row| multiplier(row.id)).collect();
+            let multipliers: Vec<f64> = (0..point.row_count())
+                .map(|row| multiplier(point.row_id(row)))
+                .collect();
             flat(Hessian::default().gradient(point, &multipliers))
         };
         let columns: Vec<_> = self
@@ -96,10 +99,21 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Around<C, NX, NU> {
     }
 }
 
-/// The row of this id, where it is there.
+/// The place among all of the row of this id, where it is there.
 pub fn named<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
     point: &Point<C, NX, NU>,
     id: RowId,
-) -> Option<&Row<NX, NU>> {
-    point.rows.iter().find(|row| row.id == id)
+) -> Option<usize> {
+    (0..point.row_count()).find(|row| point.row_id(*row) == id)
+}
+
+/// A row's value, by its place among all.
+pub fn value<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
+    point: &Point<C, NX, NU>,
+    row: usize,
+) -> f64 {
+    match point.rows.get(row) {
+        Some(row) => row.value,
+        None => point.sums[row - point.rows.len()].value,
+    }
 }

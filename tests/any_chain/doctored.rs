@@ -1,6 +1,7 @@
 //! A chain with one of its derivatives wrong.
 
-use sinew::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State};
+use nalgebra::SMatrix;
+use sinew::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State, SumRow};
 
 /// What is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,10 +19,22 @@ pub enum Flaw {
     CurvatureBefore,
     CurvatureAcross,
     CurvatureAfter,
+    CostByState,
+    InsideByState,
+    InsideMixed,
+    InsideByControl,
+    SumGradient,
+    SumCurvature,
 }
 
 impl Flaw {
-    pub const ALL: [Self; 13] = [
+    /// Those of a chain without summed rows, rows inside a stage and costs of the
+    /// state.
+    pub const OF_STATES: [Self; 13] = {
+        let [a, b, c, d, e, f, g, h, i, j, k, l, m, ..] = Self::ALL;
+        [a, b, c, d, e, f, g, h, i, j, k, l, m]
+    };
+    pub const ALL: [Self; 19] = [
         Self::ByState,
         Self::ByControl,
         Self::CostGradient,
@@ -35,6 +48,12 @@ impl Flaw {
         Self::CurvatureBefore,
         Self::CurvatureAcross,
         Self::CurvatureAfter,
+        Self::CostByState,
+        Self::InsideByState,
+        Self::InsideMixed,
+        Self::InsideByControl,
+        Self::SumGradient,
+        Self::SumCurvature,
     ];
 }
 
@@ -49,6 +68,9 @@ pub struct Doctored<'a, C> {
 }
 
 impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Doctored<'_, C> {
+    const COST_OF_STATE: bool = C::COST_OF_STATE;
+    const SUM_ROWS: bool = C::SUM_ROWS;
+
     type Node = C::Node;
     type Kept = C::Kept;
 
@@ -79,6 +101,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Docto
             Flaw::ByState => stage.by_state *= WRONG,
             Flaw::ByControl => stage.by_control *= WRONG,
             Flaw::CostGradient => stage.cost_gradient *= WRONG,
+            Flaw::CostByState => stage.cost_by_state *= WRONG,
             Flaw::CostCurvature => stage.cost_curvature *= WRONG,
             _ => {}
         }
@@ -108,19 +131,53 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Docto
         }
     }
 
-    fn row_curvature(&self, row: &Row<NX, NU>, nodes: &[C::Node]) -> RowCurvature<NX> {
+    fn row_curvature(&self, row: &Row<NX, NU>, nodes: &[C::Node]) -> RowCurvature<NX, NU> {
         let mut curvature = self.chain.row_curvature(row, nodes);
-        if let Some((own, across)) = &mut curvature.before {
-            match self.flaw {
-                Flaw::CurvatureBefore => *own *= WRONG,
-                Flaw::CurvatureAcross => *across *= WRONG,
-                _ => {}
+        match &mut curvature {
+            RowCurvature::States { after, before } => {
+                if let Some((own, across)) = before {
+                    match self.flaw {
+                        Flaw::CurvatureBefore => *own *= WRONG,
+                        Flaw::CurvatureAcross => *across *= WRONG,
+                        _ => {}
+                    }
+                }
+                if self.flaw == Flaw::CurvatureAfter {
+                    *after *= WRONG;
+                }
             }
-        }
-        if self.flaw == Flaw::CurvatureAfter {
-            curvature.after *= WRONG;
+            RowCurvature::Inside(inside) => match self.flaw {
+                Flaw::InsideByState => inside.by_state *= WRONG,
+                Flaw::InsideMixed => inside.mixed *= WRONG,
+                Flaw::InsideByControl => inside.by_control *= WRONG,
+                _ => {}
+            },
         }
         curvature
+    }
+
+    fn sum_count(&self) -> usize {
+        self.chain.sum_count()
+    }
+
+    fn sum_row(&self, sum: usize) -> SumRow {
+        self.chain.sum_row(sum)
+    }
+
+    fn sum_term(&self, sum: usize, k: usize, kept: &C::Kept) -> (f64, Control<NU>) {
+        let (value, gradient) = self.chain.sum_term(sum, k, kept);
+        match self.flaw {
+            Flaw::SumGradient => (value, WRONG * gradient),
+            _ => (value, gradient),
+        }
+    }
+
+    fn sum_curvature(&self, sum: usize, k: usize, kept: &C::Kept) -> SMatrix<f64, NU, NU> {
+        let curvature = self.chain.sum_curvature(sum, k, kept);
+        match self.flaw {
+            Flaw::SumCurvature => WRONG * curvature,
+            _ => curvature,
+        }
     }
 
     fn passes_through(&self, from: &[C::Node], to: &[C::Node]) -> bool {

@@ -17,7 +17,7 @@ pub mod recharted;
 pub use differences::nudged;
 
 use crate::rolled_out::at;
-use differences::{Around, flat, named};
+use differences::{Around, flat, named, value};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use sinew::solver::{
     Chain, Control, Hessian, Outcome, Point, Riccati, Row, RowId, Settings, Source, Sqp, State,
@@ -76,8 +76,28 @@ fn all_close(
 fn cost_gradient<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
     point: &Point<C, NX, NU>,
 ) -> DVector<f64> {
-    let gradients: Vec<_> = point.stages.iter().map(|s| s.cost_gradient).collect();
-    flat(&gradients)
+    let none = vec![0.0; point.row_count()];
+    flat(Hessian::default().gradient(point, &none))
+}
+
+/// The gradient of a row, by its place among all.
+fn gradient_of<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
+    point: &Point<C, NX, NU>,
+    row: usize,
+) -> DVector<f64> {
+    match point.rows.get(row) {
+        Some(row) => flat(&point.row_gradient(row)),
+        None => flat(&point.sums[row - point.rows.len()].gradient),
+    }
+}
+
+/// What a step changes a row by, by its place among all.
+fn change_of<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
+    point: &Point<C, NX, NU>,
+    row: usize,
+    (du, dz): (&[Control<NU>], &[State<NX>]),
+) -> f64 {
+    point.value_after(row, du, dz) - value(point, row)
 }
 
 /// The Hessian as the solver assembles it.
@@ -103,6 +123,12 @@ fn factored<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
         Ok(()) => Ok(riccati),
         Err(at) => Err(format!("the assembled Hessian is not positive: {at:?}")),
     }
+}
+
+/// A shift that makes a Hessian positive, so that two can be compared whole.
+fn shift_of(hessian: &DMatrix<f64>) -> f64 {
+    let symmetric = 0.5 * (hessian + hessian.transpose());
+    (1.0 - SymmetricEigen::new(symmetric).eigenvalues.min()).max(0.0)
 }
 
 /// H⁻¹ b for a right-hand side b, with the states' perturbation.
@@ -136,6 +162,7 @@ fn with_unit_rows<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
         control: Control::from_fn(|i, _| f64::from(u8::from(i == index % NU))),
     };
     point.rows = (0..NU * point.stages.len()).map(row).collect();
+    point.sums.clear();
     point
 }
 
@@ -148,12 +175,12 @@ pub fn check_gradients<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
     allowed: Tolerances,
 ) -> Result<Vec<RowId>, String> {
     let around = Around::new(chain, controls)?;
-    for row in &around.here.rows {
-        let gradient = flat(&around.here.row_gradient(row));
-        for (index, exact) in gradient.iter().enumerate() {
-            if let Some(slope) = around.row_slope(index, row.id) {
+    for row in 0..around.here.row_count() {
+        let id = around.here.row_id(row);
+        for (index, exact) in gradient_of(&around.here, row).iter().enumerate() {
+            if let Some(slope) = around.row_slope(index, id) {
                 close(*exact, slope, allowed.slope, || {
-                    format!("the gradient of {row:?} in control {index}")
+                    format!("the gradient of {id:?} in control {index}")
                 })?;
             }
         }
@@ -187,13 +214,13 @@ pub fn check_hessian<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
     if !dense.iter().all(|entry| entry.is_finite()) {
         return Err("the Lagrangian's gradient is not finite".to_owned());
     }
-    // A shift makes any Hessian positive, so that the two can be compared whole.
-    let symmetric = 0.5 * (&dense + dense.transpose());
-    let shift = (1.0 - SymmetricEigen::new(symmetric).eigenvalues.min()).max(0.0);
+    let shift = shift_of(&dense);
     for i in 0..dense.nrows() {
         dense[(i, i)] += shift;
     }
-    let multipliers: Vec<f64> = point.rows.iter().map(|row| multiplier(row.id)).collect();
+    let multipliers: Vec<f64> = (0..point.row_count())
+        .map(|row| multiplier(point.row_id(row)))
+        .collect();
     let hessian = assembled(chain, point, &multipliers);
     let mut riccati = factored(point, &hessian, shift)?;
 
@@ -207,21 +234,23 @@ pub fn check_hessian<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
             format!("H H⁻¹ of unit vector {index}")
         })?;
     }
-    for (index, row) in point.rows.iter().enumerate() {
-        let weights = only(index, point.rows.len());
+    for row in 0..point.row_count() {
+        let id = point.row_id(row);
+        let weights = only(row, point.row_count());
         let (du, dz) = solved(&mut riccati, point, Source::Rows(&weights));
-        let right = flat(&point.row_gradient(row));
+        let right = gradient_of(point, row);
         let size = allowed.curvature * (1.0 + right.amax());
         all_close(&(&dense * flat(&du)), &right, size, || {
-            format!("H H⁻¹ of the gradient of {row:?}")
+            format!("H H⁻¹ of the gradient of {id:?}")
         })?;
         // The states' perturbation belongs to the controls'.
         let change = right.dot(&flat(&du));
-        close(row.change(&du, &dz), change, allowed.rounding, || {
-            format!("the change of {row:?}")
+        let found = change_of(point, row, (&du, &dz));
+        close(found, change, allowed.rounding, || {
+            format!("the change of {id:?}")
         })?;
     }
-    let none = vec![0.0; point.rows.len()];
+    let none = vec![0.0; point.row_count()];
     let (du, _) = solved(&mut riccati, point, Source::Step(&none));
     let right = -cost_gradient(point);
     let size = allowed.curvature * right.amax();
@@ -242,19 +271,29 @@ pub fn check_stiffening<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
 ) -> Result<Vec<RowId>, String> {
     let around = Around::new(chain, controls)?;
     let point = &around.here;
-    let none = vec![0.0; point.rows.len()];
-    let mut costs = DMatrix::zeros(around.sides.len(), around.sides.len());
-    for (k, stage) in point.stages.iter().enumerate() {
-        let mut own = costs.fixed_view_mut::<NU, NU>(NU * k, NU * k);
-        own.copy_from(&stage.cost_curvature);
+    let none = vec![0.0; point.row_count()];
+    let mut differences = around.hessian(|_| 0.0);
+    let shift = shift_of(&differences);
+    for i in 0..differences.nrows() {
+        differences[(i, i)] += shift;
     }
-    let differences = around.hessian(|_| 0.0);
+    let units = with_unit_rows(at(chain, controls));
+    let mut plain = factored(point, &assembled(chain, point, &none), shift)?;
+    let columns: Vec<_> = (0..units.rows.len())
+        .map(|index| {
+            let weights = only(index, units.rows.len());
+            flat(&solved(&mut plain, &units, Source::Rows(&weights)).0)
+        })
+        .collect();
+    let Some(costs) = DMatrix::from_columns(&columns).try_inverse() else {
+        return Err("the costs' Hessian is singular".to_owned());
+    };
     let mut compared = Vec::new();
     for (index, row) in point.rows.iter().enumerate() {
         let mut hessian = assembled(chain, point, &none);
         hessian.stiffen(point, row, stiffness);
-        let mut riccati = factored(point, &hessian, 0.0)?;
-        let weights = only(index, point.rows.len());
+        let mut riccati = factored(point, &hessian, shift)?;
+        let weights = only(index, point.row_count());
         let du = flat(&solved(&mut riccati, point, Source::Rows(&weights)).0);
         let stiffened =
             |costs: &DMatrix<f64>, g: &DVector<f64>| costs * &du + stiffness * g.dot(&du) * g;
@@ -282,10 +321,10 @@ pub fn minimum<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
     let mut sqp: Sqp<C, NX, NU> = Sqp::default();
     sqp.start(chain, controls, &[], Settings::default());
     assert_eq!(sqp.run(chain), Outcome::Converged);
-    let rows = sqp.point().rows.iter().zip(sqp.multipliers());
-    let pressing = rows
+    let multipliers = sqp.multipliers().iter().enumerate();
+    let pressing = multipliers
         .filter(|(_, multiplier)| **multiplier > 0.0)
-        .map(|(row, multiplier)| (row.id, *multiplier));
+        .map(|(row, multiplier)| (sqp.point().row_id(row), *multiplier));
     (sqp.point().controls.clone(), pressing.collect())
 }
 
@@ -315,10 +354,13 @@ pub fn check_kkt<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
         let Some(row) = named(point, *id) else {
             return Err(format!("{id:?} presses and is not there"));
         };
-        let g = flat(&point.row_gradient(row));
+        let g = gradient_of(point, row);
         kkt.view_mut((0, place), (n, 1)).copy_from(&-&g);
         kkt.view_mut((place, 0), (1, n)).tr_copy_from(&g);
-        right[place] = -row.value;
+        right[place] = -value(point, row);
+        if let Some(sum) = row.checked_sub(point.rows.len()) {
+            kkt[(place, place)] = point.sums[sum].row.compliance;
+        }
     }
     let Some(dense) = kkt.lu().solve(&right) else {
         return Err("the dense KKT system is singular".to_owned());
@@ -332,8 +374,10 @@ pub fn check_kkt<C: Chain<NX, NU>, const NX: usize, const NU: usize>(
     all_close(&step, &expected, allowed.step, || {
         "an iteration's step".to_owned()
     })?;
-    let rows = sqp.point().rows.iter().zip(sqp.multipliers());
-    let after: Vec<_> = rows.map(|(row, m)| (row.id, *m)).collect();
+    let multipliers = sqp.multipliers().iter().enumerate();
+    let after: Vec<_> = multipliers
+        .map(|(row, m)| (sqp.point().row_id(row), *m))
+        .collect();
     for (place, (id, _)) in (n..).zip(pressing) {
         let found = of(&after, *id);
         close(found, dense[place], allowed.multiplier * found, || {

@@ -2,7 +2,7 @@
 //! nodes, values and rows, and other perturbations of the states.
 
 use nalgebra::SMatrix;
-use sinew::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State};
+use sinew::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State, SumRow};
 
 /// In which charts a row's second derivative is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,9 +57,13 @@ pub struct Kept<B, const NX: usize, const NU: usize> {
     bend: B,
     by_state: SMatrix<f64, NX, NX>,
     by_control: SMatrix<f64, NX, NU>,
+    cost_by_state: State<NX>,
 }
 
 impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Recharted<'_, C> {
+    const COST_OF_STATE: bool = C::COST_OF_STATE;
+    const SUM_ROWS: bool = C::SUM_ROWS;
+
     type Node = C::Node;
     type Kept = Kept<C::Kept, NX, NU>;
 
@@ -91,10 +95,12 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Recha
             bend,
             by_state: stage.by_state,
             by_control: stage.by_control,
+            cost_by_state: stage.cost_by_state,
         };
         let (before, back) = (Chart::at(k - 1), Chart::at(k).back());
         stage.by_state = back * stage.by_state * before.turn;
         stage.by_control = back * stage.by_control;
+        stage.cost_by_state = before.turn.tr_mul(&stage.cost_by_state);
         (node, stage, kept)
     }
 
@@ -111,7 +117,11 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Recha
         let size = adjoint.dot(&after.to);
         let by_state = (back * kept.by_state * before.turn).tr_mul(&after.along);
         let by_control = (back * kept.by_control).tr_mul(&after.along);
-        let gradient = kept.by_state.tr_mul(&adjoint);
+        // The cost's slope in the state too curves with the chart.
+        let mut gradient = kept.by_state.tr_mul(&adjoint);
+        if C::COST_OF_STATE {
+            gradient += kept.cost_by_state;
+        }
         DynamicsCurvature {
             by_state: before.curvature(old.by_state, &gradient)
                 - size * by_state * by_state.transpose(),
@@ -129,7 +139,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Recha
         }
     }
 
-    fn row_curvature(&self, row: &Row<NX, NU>, nodes: &[C::Node]) -> RowCurvature<NX> {
+    fn row_curvature(&self, row: &Row<NX, NU>, nodes: &[C::Node]) -> RowCurvature<NX, NU> {
         let (mut before, mut after) = (Chart::<NX>::at(row.stage - 1), Chart::<NX>::at(row.stage));
         let mut old = *row;
         old.after = after.back().tr_mul(&row.after);
@@ -138,15 +148,39 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Chain<NX, NU> for Recha
             before.to = State::zeros();
             after.to = State::zeros();
         }
-        let curvature = self.chain.row_curvature(&old, nodes);
-        let parts = old.before.zip(curvature.before);
-        RowCurvature {
-            after: after.curvature(curvature.after, &old.after),
-            before: parts.map(|(gradient, (own, across))| {
-                let across = before.turn.tr_mul(&across) * after.turn;
-                (before.curvature(own, &gradient), across)
+        match self.chain.row_curvature(&old, nodes) {
+            RowCurvature::States {
+                after: own,
+                before: parts,
+            } => RowCurvature::States {
+                after: after.curvature(own, &old.after),
+                before: old.before.zip(parts).map(|(gradient, (own, across))| {
+                    let across = before.turn.tr_mul(&across) * after.turn;
+                    (before.curvature(own, &gradient), across)
+                }),
+            },
+            RowCurvature::Inside(inside) => RowCurvature::Inside(DynamicsCurvature {
+                by_state: before.curvature(inside.by_state, &old.before.unwrap()),
+                mixed: before.turn.tr_mul(&inside.mixed),
+                by_control: inside.by_control,
             }),
         }
+    }
+
+    fn sum_count(&self) -> usize {
+        self.chain.sum_count()
+    }
+
+    fn sum_row(&self, sum: usize) -> SumRow {
+        self.chain.sum_row(sum)
+    }
+
+    fn sum_term(&self, sum: usize, k: usize, kept: &Self::Kept) -> (f64, Control<NU>) {
+        self.chain.sum_term(sum, k, &kept.bend)
+    }
+
+    fn sum_curvature(&self, sum: usize, k: usize, kept: &Self::Kept) -> SMatrix<f64, NU, NU> {
+        self.chain.sum_curvature(sum, k, &kept.bend)
     }
 
     fn passes_through(&self, from: &[C::Node], to: &[C::Node]) -> bool {

@@ -67,6 +67,7 @@ impl Chain<3, 1> for Problem {
             by_state: matrix![1.0, 0.0, swing.x; 0.0, 1.0, swing.y; 0.0, 0.0, 1.0],
             by_control: matrix![rate.x; rate.y; -shape.bend[1]],
             cost: shape.cost[0],
+            cost_by_state: State::zeros(),
             cost_gradient: vector![shape.cost[1]],
             cost_curvature: matrix![shape.cost[2]],
         };
@@ -98,7 +99,7 @@ impl Chain<3, 1> for Problem {
         add_limits(self, controls, rows);
     }
 
-    fn row_curvature(&self, row: &Row<3, 1>, nodes: &[PlanarNode]) -> RowCurvature<3> {
+    fn row_curvature(&self, row: &Row<3, 1>, nodes: &[PlanarNode]) -> RowCurvature<3, 1> {
         self.around().row_curvature(row, nodes)
     }
 

@@ -16,9 +16,14 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
             .extend(moved.map(|(u, d)| u + amount * d));
     }
 
-    /// Σ L + μ Σ max(0, −g).
+    /// Σ L + μ Σ max(0, −g), with the energy of the rows that give way.
     pub(super) fn merit(&self, point: &Point<C, NX, NU>) -> f64 {
-        point.cost + self.merit_penalty * point.total_violation()
+        let merit = point.cost + self.merit_penalty * point.total_violation();
+        if C::SUM_ROWS {
+            merit + point.compliant_energy()
+        } else {
+            merit
+        }
     }
 
     /// Looks for an acceptable point along the subproblem's step.
@@ -82,7 +87,23 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
             let after = row.value + row.change(&self.set.du, &self.set.dz);
             violation += (-after).max(0.0) - (-row.value).max(0.0);
         }
-        (cost + self.merit_penalty * violation).min(0.0)
+        let mut slope = cost + self.merit_penalty * violation;
+        if C::COST_OF_STATE {
+            let stages = self.point.stages.iter().zip(&self.set.dz);
+            slope += stages.map(|(s, d)| s.cost_by_state.dot(d)).sum::<f64>();
+        }
+        if C::SUM_ROWS {
+            for sum in &self.point.sums {
+                let change = sum.change(&self.set.du);
+                slope += if sum.row.compliance > 0.0 {
+                    -(-sum.value).max(0.0) * change / sum.row.compliance
+                } else {
+                    let after = (-(sum.value + change)).max(0.0);
+                    self.merit_penalty * (after - (-sum.value).max(0.0))
+                };
+            }
+        }
+        slope.min(0.0)
     }
 
     pub(super) fn clear(&self, chain: &C) -> bool {
@@ -98,12 +119,17 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         self.correction.extend_from_slice(&self.set.du);
         let after = &self.trial.rows;
         let before = &self.point.rows;
-        self.set.correct(&mut self.riccati, &self.point, |row| {
-            let id = before[row].id;
-            after
-                .binary_search_by_key(&id, |row| row.id)
-                .map_or(0.0, |found| after[found].value)
-        });
+        let sums = &self.trial.sums;
+        self.set
+            .correct(&mut self.riccati, &self.point, |row, multiplier| {
+                let Some(id) = before.get(row).map(|row| row.id) else {
+                    let sum = &sums[row - before.len()];
+                    return -sum.violation(multiplier);
+                };
+                after
+                    .binary_search_by_key(&id, |row| row.id)
+                    .map_or(0.0, |found| after[found].value)
+            });
         self.place_trial(1.0);
         self.trial.evaluate(chain);
         let merit = self.merit(&self.trial);

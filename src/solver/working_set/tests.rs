@@ -122,7 +122,7 @@ fn a_correction_moves_the_active_rows_to_where_they_should_be() {
     } = solved(&point, &none, 1e6, 0.0);
     let before = dense(&set.du);
     let missing = |row: usize| 0.01 * (1.0 + row as f64);
-    set.correct(&mut riccati, &point, missing);
+    set.correct(&mut riccati, &point, |row, _| missing(row));
     let after = dense(&set.du);
     let members = set.members.clone();
     assert!(members.len() > 2);
