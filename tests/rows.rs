@@ -182,7 +182,7 @@ fn derivatives_in_the_nodes_states_against_differences() {
             }
         }
         seen[match problem.candidates()[candidate].element {
-            Element::Point { .. } => 0,
+            Element::Point { .. } | Element::OnLink { .. } => 0,
             Element::Link { .. } => 1,
             Element::Across { .. } => 2,
         }] += usize::from(all);

@@ -3,7 +3,7 @@
 use super::surroundings::Surroundings;
 use super::touch::Contact;
 use crate::geometry::{Edge, Obstacle, PointClearance, Vector};
-use crate::robot::{Candidate, Element, Joins, PlanarNode};
+use crate::robot::{Candidate, Element, Joins, Nodes, PlanarNode};
 
 /// Where a candidate is nearest to an obstacle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,39 +20,50 @@ pub struct Place {
 impl Candidate {
     /// The clearance of a point candidate from an obstacle; `None` where the
     /// edges that end in it are nearer.
-    pub fn point_clearance(
+    pub fn point_clearance<N: Nodes + ?Sized>(
         &self,
-        nodes: &[PlanarNode],
+        nodes: &N,
         obstacle: &Obstacle,
     ) -> Option<PointClearance> {
-        let Element::Point { lever } = self.element else {
-            return None;
+        let lever = match self.element {
+            Element::Point { lever } => lever,
+            Element::OnLink { .. } => return Some(obstacle.clearance(self.ends(nodes).0)),
+            Element::Link { .. } | Element::Across { .. } => return None,
         };
-        let node = &nodes[self.node];
+        let node = nodes.node(self.node);
         let point = node.at(lever);
-        let at = |node: usize| nodes.get(node).map(|node| node.at(lever));
+        let at = |node: usize| nodes.find(node).map(|node| node.at(lever));
         match self.joins {
             Joins::Nothing => Some(obstacle.clearance(point)),
-            Joins::Links => obstacle.end_clearance(point, [at(self.node - 1), at(self.node + 1)]),
+            Joins::Links => {
+                let (below, above) = (self.node.checked_sub(self.span), self.node + self.span);
+                obstacle.end_clearance(point, [below.and_then(at), at(above)])
+            }
             Joins::Disk => obstacle.end_clearance(point, [Some(node.at(-lever)), None]),
         }
     }
 
     /// The candidate's edge from the nodes, joined to the links below and above
     /// it where it is a link itself; of no length for a point.
-    pub fn edge(&self, nodes: &[PlanarNode]) -> Edge {
+    pub fn edge<N: Nodes + ?Sized>(&self, nodes: &N) -> Edge {
         let (start, end) = self.ends(nodes);
         let mut edge = Edge::alone(start, end);
         if let Element::Link { lever } = self.element {
-            let at = |node: usize| nodes.get(node).map(|node| node.at(lever));
-            edge.joined = [self.node.checked_sub(2).and_then(at), at(self.node + 1)];
+            let at = |node: usize| nodes.find(node).map(|node| node.at(lever));
+            let below = self.node.checked_sub(2 * self.span);
+            edge.joined = [below.and_then(at), at(self.node + self.span)];
         }
         edge
     }
 
     /// Where the candidate is nearest to an obstacle, for an edge to one of
     /// its vertices.
-    pub fn place(&self, nodes: &[PlanarNode], obstacle: &Obstacle, vertex: Option<usize>) -> Place {
+    pub fn place<N: Nodes + ?Sized>(
+        &self,
+        nodes: &N,
+        obstacle: &Obstacle,
+        vertex: Option<usize>,
+    ) -> Place {
         let (start, end) = self.ends(nodes);
         let clearance = self.point_clearance(nodes, obstacle);
         let mut place = Place {
@@ -74,16 +85,16 @@ impl Candidate {
     /// The clearances of this candidate from an obstacle, each with its
     /// vertex: one for a point, any number for an edge, and one without a
     /// vertex for an edge that crosses the obstacle's core.
-    pub fn clearances(
+    pub fn clearances<N: Nodes + ?Sized>(
         &self,
-        nodes: &[PlanarNode],
+        nodes: &N,
         obstacle: &Obstacle,
         mut each: impl FnMut(Option<usize>, f64),
     ) {
         let (start, end) = self.ends(nodes);
         match self.element {
-            Element::Point { lever } => {
-                let clearance = obstacle.clearance(nodes[self.node].at(lever));
+            Element::Point { .. } | Element::OnLink { .. } => {
+                let clearance = obstacle.clearance(start);
                 each(None, clearance.distance - self.radius);
             }
             _ => {

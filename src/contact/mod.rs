@@ -5,6 +5,7 @@
 mod clearances;
 mod disk_point;
 mod from_scene;
+mod kinematics;
 mod motion;
 mod rows;
 mod surroundings;
@@ -12,6 +13,7 @@ mod touch;
 
 pub use clearances::{Clearance, Place};
 pub use from_scene::{covers_base, obstacle};
+pub use kinematics::{Inside, Kinematics};
 pub use rows::RowKind;
 pub use surroundings::Surroundings;
 pub use touch::{Class, Contact, Multipliers};

@@ -2,7 +2,7 @@
 //! obstacle. It judges motions between two instants; it moves nothing.
 
 use super::surroundings::Surroundings;
-use crate::robot::{Element, PlanarNode};
+use crate::robot::Nodes;
 
 /// Motions below this share of the backbone's length are not asked whether they
 /// dip: 0.2 mm of 180, below which a step follows its branch anyhow.
@@ -18,11 +18,11 @@ impl Surroundings {
     /// obstacles move meanwhile from where they are here to where they are in
     /// `later`. Points that move less than a thousandth of the robot's length
     /// are not looked at: at a sharp corner every motion would count.
-    pub fn motion_dips(
+    pub fn motion_dips<N: Nodes + ?Sized>(
         &self,
         later: &Self,
-        from: &[PlanarNode],
-        to: &[PlanarNode],
+        from: &N,
+        to: &N,
         least_cosine: impl Fn(usize, usize) -> f64,
     ) -> bool {
         let least = LEAST_DIP * self.length;
@@ -33,9 +33,9 @@ impl Surroundings {
             let mut candidates = self.candidates.iter().enumerate();
             moved > least
                 && candidates.any(|(number, candidate)| {
-                    let Element::Point { .. } = candidate.element else {
+                    if !candidate.is_point() {
                         return false;
-                    };
+                    }
                     let way = (candidate.ends(from).0, candidate.ends(to).0);
                     now.point_dips(then, way, candidate.radius, (least, moved))
                         .is_some_and(|turned| turned < least_cosine(number, index))
@@ -46,7 +46,7 @@ impl Surroundings {
     /// Whether a candidate would pass through an obstacle that moves from
     /// where it is here to where it is in `later`, while the robot's nodes
     /// move straight.
-    pub fn motion_passes(&self, later: &Self, from: &[PlanarNode], to: &[PlanarNode]) -> bool {
+    pub fn motion_passes<N: Nodes + ?Sized>(&self, later: &Self, from: &N, to: &N) -> bool {
         let tolerance = ROUNDING * self.length;
         let moved = self.greatest_motion(from, to);
         let mut pairs = self.obstacles.iter().zip(&later.obstacles);
@@ -55,21 +55,14 @@ impl Surroundings {
             self.candidates.iter().any(|candidate| {
                 let before = candidate.ends(from);
                 let after = || candidate.ends(to);
-                match candidate.element {
-                    Element::Point { .. } => {
-                        !now.is_beyond(before.0, candidate.radius + moved)
-                            && now.point_passes(
-                                then,
-                                (before.0, after().0),
-                                candidate.radius,
-                                moved,
-                            )
-                    }
-                    _ => {
-                        let after = after();
-                        let ends = ((before.0, after.0), (before.1, after.1));
-                        now.edge_passes(then, ends, tolerance, moved)
-                    }
+                if candidate.is_point() {
+                    let motion = || (before.0, after().0);
+                    !now.is_beyond(before.0, candidate.radius + moved)
+                        && now.point_passes(then, motion(), candidate.radius, moved)
+                } else {
+                    let after = after();
+                    let ends = ((before.0, after.0), (before.1, after.1));
+                    now.edge_passes(then, ends, tolerance, moved)
                 }
             })
         })
@@ -79,11 +72,13 @@ impl Surroundings {
     /// shapes, in metres, and at most twice what some point does: twice the motion
     /// of its node or, if that is more, its lever times the change of the disk's
     /// direction.
-    pub fn greatest_motion(&self, from: &[PlanarNode], to: &[PlanarNode]) -> f64 {
-        let half = |(a, b): (&PlanarNode, &PlanarNode)| {
+    pub fn greatest_motion<N: Nodes + ?Sized>(&self, from: &N, to: &N) -> f64 {
+        let half = |index: usize| {
+            let (a, b) = (from.node(index), to.node(index));
             let moved = (b.position - a.position).norm_squared();
             moved.max(self.reach * self.reach * (b.disk - a.disk).norm_squared())
         };
-        2.0 * from.iter().zip(to).map(half).fold(0.0, f64::max).sqrt()
+        let count = from.count().min(to.count());
+        2.0 * (0..count).map(half).fold(0.0, f64::max).sqrt()
     }
 }

@@ -7,10 +7,11 @@
 //! the radius.
 
 use super::disk_point::DiskPoint;
+use super::kinematics::{Inside, Kinematics};
 use super::surroundings::Surroundings;
-use crate::geometry::{EdgeClearance, Vector};
-use crate::robot::{Candidate, Element, PlanarNode};
-use crate::solver::{Control, Row, RowCurvature, RowId, State};
+use crate::geometry::{EdgeClearance, PointClearance, Vector, perpendicular};
+use crate::robot::{Candidate, Element};
+use crate::solver::{Control, DynamicsCurvature, Row, RowCurvature, RowId, State};
 use nalgebra::SMatrix;
 
 /// What a row is about; the meaning of its id.
@@ -82,7 +83,11 @@ const MARGIN: f64 = 0.05;
 
 impl Surroundings {
     /// Adds the rows of all candidates that are near an obstacle, by their ids.
-    pub fn add_rows<const NU: usize>(&self, nodes: &[PlanarNode], rows: &mut Vec<Row<3, NU>>) {
+    pub fn add_rows<N: Kinematics<NU> + ?Sized, const NU: usize>(
+        &self,
+        nodes: &N,
+        rows: &mut Vec<Row<3, NU>>,
+    ) {
         for candidate in 0..self.candidates.len() {
             add_rows_of(self, candidate, nodes, rows);
         }
@@ -90,10 +95,10 @@ impl Surroundings {
 
     /// The second derivative of a row that [`Surroundings::add_rows`] gave for
     /// the same nodes; none for a limit's.
-    pub fn row_curvature<const NU: usize>(
+    pub fn row_curvature<N: Kinematics<NU> + ?Sized, const NU: usize>(
         &self,
         row: &Row<3, NU>,
-        nodes: &[PlanarNode],
+        nodes: &N,
     ) -> RowCurvature<3, NU> {
         let none = RowCurvature::States {
             after: SMatrix::zeros(),
@@ -109,77 +114,240 @@ impl Surroundings {
         };
         let candidate = &self.candidates[candidate];
         let obstacle = &self.obstacles[obstacle];
-        if let Element::Point { lever } = candidate.element {
-            let point = DiskPoint {
-                node: &nodes[candidate.node],
-                lever,
-            };
+        let ends = Ends::of(candidate, nodes);
+        if candidate.is_point() {
             let Some(clearance) = candidate.point_clearance(nodes, obstacle) else {
                 return none;
             };
-            let tangent = crate::geometry::perpendicular(clearance.normal);
-            let along: State<3> = point.gradient(tangent);
-            let mut after = clearance.curvature * along * along.transpose();
-            after[(2, 2)] += point.curvature(clearance.normal);
-            return RowCurvature::States {
-                after,
-                before: None,
-            };
+            return point_curvature(candidate, &ends, &clearance);
         }
-        let [first, last] = edge_points(candidate, nodes);
         let edge = candidate.edge(nodes);
         let Some(clearance) = vertex.and_then(|v| obstacle.edge_clearance(&edge, v)) else {
             return none;
         };
-        // The distance's quadratic form in the two ends, polarised on the
-        // displacements that unit changes of the six state components cause.
-        let still = Vector::zeros();
-        let ends = |i: usize| {
-            if i < 3 {
-                (first.displacement(i), still)
-            } else {
-                (still, last.displacement(i - 3))
-            }
-        };
+        // The distance's quadratic form in the two ends.
         let form = |a: (Vector, Vector)| {
             clearance.second_derivative(edge.end - edge.start, obstacle.radius(), a.0, a.1)
         };
-        let mut full = SMatrix::<f64, 6, 6>::zeros();
-        for i in 0..6 {
-            full[(i, i)] = form(ends(i));
-        }
-        for i in 0..6 {
-            for j in 0..i {
-                let (a, b) = (ends(i), ends(j));
-                let mixed = 0.5 * (form((a.0 + b.0, a.1 + b.1)) - full[(i, i)] - full[(j, j)]);
-                full[(i, j)] = mixed;
-                full[(j, i)] = mixed;
+        let weights = (
+            (1.0 - clearance.along) * clearance.normal,
+            clearance.along * clearance.normal,
+        );
+        match &ends {
+            Ends::Disks(first, last) => {
+                let full = disks_curvature(first, last, form, weights);
+                split(&full, row.before.is_some())
             }
-        }
-        full[(2, 2)] += first.curvature((1.0 - clearance.along) * clearance.normal);
-        full[(5, 5)] += last.curvature(clearance.along * clearance.normal);
-        let lower = full.fixed_view::<3, 3>(0, 0).into_owned();
-        let upper = full.fixed_view::<3, 3>(3, 3).into_owned();
-        let across = full.fixed_view::<3, 3>(0, 3).into_owned();
-        if row.before.is_some() {
-            RowCurvature::States {
-                after: upper,
-                before: Some((lower, across)),
-            }
-        } else {
-            RowCurvature::States {
-                after: lower + upper + across + across.transpose(),
-                before: None,
+            Ends::Inside(first, last) => {
+                RowCurvature::Inside(inside_curvature(first, last, form, weights))
             }
         }
     }
 }
 
+/// The two ends of a candidate as functions of what moves them.
+enum Ends<'a, const NU: usize> {
+    /// Of the states of their nodes.
+    Disks(DiskPoint<'a>, DiskPoint<'a>),
+    /// Of the state before their stage and of its controls.
+    Inside(Inside<NU>, Inside<NU>),
+}
+
+impl<'a, const NU: usize> Ends<'a, NU> {
+    fn of<N: Kinematics<NU> + ?Sized>(candidate: &Candidate, nodes: &'a N) -> Self {
+        let node = candidate.node;
+        let (below, above, levers) = match candidate.element {
+            Element::Point { lever } => (node, node, (lever, lever)),
+            Element::Link { lever } => (node - candidate.span, node, (lever, lever)),
+            Element::OnLink { lever, above } => {
+                let upper = node + above;
+                (upper - candidate.span, upper, (lever, lever))
+            }
+            Element::Across { lever } => (node, node, (-lever, lever)),
+        };
+        if nodes.is_inside(below) || nodes.is_inside(above) {
+            let stage = nodes.stage(above);
+            let first = nodes.inside(stage, below, levers.0);
+            let last = nodes.inside(stage, above, levers.1);
+            if let (Some(first), Some(last)) = (first, last) {
+                return Ends::Inside(first, last);
+            }
+        }
+        let point = |node, lever| DiskPoint {
+            node: nodes.node(node),
+            lever,
+        };
+        Ends::Disks(point(below, levers.0), point(above, levers.1))
+    }
+
+    /// The row that these ends have where the distance changes by `weights` · their
+    /// displacements. `one_node`: whether both are points of the same disk.
+    fn row(
+        &self,
+        id: RowId,
+        stage: usize,
+        value: f64,
+        weights: (Vector, Vector),
+        one_node: bool,
+    ) -> Row<3, NU> {
+        let mut row = Row {
+            id,
+            stage,
+            value,
+            before: None,
+            after: State::zeros(),
+            control: Control::zeros(),
+        };
+        match self {
+            Ends::Disks(first, last) => {
+                let (first, last) = (first.gradient(weights.0), last.gradient(weights.1));
+                if one_node {
+                    row.after = first + last;
+                } else {
+                    row.before = Some(first);
+                    row.after = last;
+                }
+            }
+            Ends::Inside(first, last) => {
+                row.before = Some(first.by_state(weights.0) + last.by_state(weights.1));
+                row.control = first.by_control(weights.0) + last.by_control(weights.1);
+            }
+        }
+        row
+    }
+}
+
+/// The second derivative of a point's clearance.
+fn point_curvature<const NU: usize>(
+    candidate: &Candidate,
+    ends: &Ends<'_, NU>,
+    clearance: &PointClearance,
+) -> RowCurvature<3, NU> {
+    let tangent = perpendicular(clearance.normal);
+    match ends {
+        Ends::Disks(first, last) => {
+            if let Element::OnLink { .. } = candidate.element {
+                let share = candidate.share();
+                let weights = ((1.0 - share) * clearance.normal, share * clearance.normal);
+                let form = |(start, end): (Vector, Vector)| {
+                    let along = tangent.dot(&((1.0 - share) * start + share * end));
+                    clearance.curvature * along * along
+                };
+                return split(&disks_curvature(first, last, form, weights), true);
+            }
+            let along: State<3> = last.gradient(tangent);
+            let mut after = clearance.curvature * along * along.transpose();
+            after[(2, 2)] += last.curvature(clearance.normal);
+            RowCurvature::States {
+                after,
+                before: None,
+            }
+        }
+        Ends::Inside(_, point) => {
+            let (state, control) = (point.by_state(tangent), point.by_control(tangent));
+            let mut inside = point.curvature(clearance.normal);
+            inside.by_state += clearance.curvature * state * state.transpose();
+            inside.mixed += clearance.curvature * state * control.transpose();
+            inside.by_control += clearance.curvature * control * control.transpose();
+            RowCurvature::Inside(inside)
+        }
+    }
+}
+
+/// The second derivative of an edge's distance in the states of its two nodes: its
+/// quadratic form in the ends, polarised on the displacements that unit changes of the
+/// six state components cause, and how these curve.
+fn disks_curvature(
+    first: &DiskPoint<'_>,
+    last: &DiskPoint<'_>,
+    form: impl Fn((Vector, Vector)) -> f64,
+    weights: (Vector, Vector),
+) -> SMatrix<f64, 6, 6> {
+    let still = Vector::zeros();
+    let ends = |i: usize| {
+        if i < 3 {
+            (first.displacement(i), still)
+        } else {
+            (still, last.displacement(i - 3))
+        }
+    };
+    let mut full = polarised(form, ends);
+    full[(2, 2)] += first.curvature(weights.0);
+    full[(5, 5)] += last.curvature(weights.1);
+    full
+}
+
+/// The same of an edge inside a stage.
+fn inside_curvature<const NU: usize>(
+    first: &Inside<NU>,
+    last: &Inside<NU>,
+    form: impl Fn((Vector, Vector)) -> f64,
+    weights: (Vector, Vector),
+) -> DynamicsCurvature<3, NU> {
+    let ends = |i: usize| match i {
+        0 => (Vector::x(), Vector::x()),
+        1 => (Vector::y(), Vector::y()),
+        2 => (first.by_turn, last.by_turn),
+        _ => (first.by_control[i - 3], last.by_control[i - 3]),
+    };
+    let of = |i: usize, j: usize| {
+        let (a, b) = (ends(i), ends(j));
+        if i == j {
+            return form(a);
+        }
+        0.5 * (form((a.0 + b.0, a.1 + b.1)) - form(a) - form(b))
+    };
+    let (lower, upper) = (first.curvature(weights.0), last.curvature(weights.1));
+    DynamicsCurvature {
+        by_state: SMatrix::from_fn(of) + lower.by_state + upper.by_state,
+        mixed: SMatrix::from_fn(|i, j| of(i, j + 3)) + lower.mixed + upper.mixed,
+        by_control: SMatrix::from_fn(|i, j| of(i + 3, j + 3)) + lower.by_control + upper.by_control,
+    }
+}
+
+/// The matrix of a quadratic form in displacements of two ends.
+fn polarised(
+    form: impl Fn((Vector, Vector)) -> f64,
+    ends: impl Fn(usize) -> (Vector, Vector),
+) -> SMatrix<f64, 6, 6> {
+    let mut full = SMatrix::<f64, 6, 6>::zeros();
+    for i in 0..6 {
+        full[(i, i)] = form(ends(i));
+    }
+    for i in 0..6 {
+        for j in 0..i {
+            let (a, b) = (ends(i), ends(j));
+            let mixed = 0.5 * (form((a.0 + b.0, a.1 + b.1)) - full[(i, i)] - full[(j, j)]);
+            full[(i, j)] = mixed;
+            full[(j, i)] = mixed;
+        }
+    }
+    full
+}
+
+/// The second derivative in the states of two nodes or, where both are one, of that.
+fn split<const NU: usize>(full: &SMatrix<f64, 6, 6>, two_nodes: bool) -> RowCurvature<3, NU> {
+    let lower = full.fixed_view::<3, 3>(0, 0).into_owned();
+    let upper = full.fixed_view::<3, 3>(3, 3).into_owned();
+    let across = full.fixed_view::<3, 3>(0, 3).into_owned();
+    if two_nodes {
+        RowCurvature::States {
+            after: upper,
+            before: Some((lower, across)),
+        }
+    } else {
+        RowCurvature::States {
+            after: lower + upper + across + across.transpose(),
+            before: None,
+        }
+    }
+}
+
 /// Adds the rows of one candidate.
-fn add_rows_of<const NU: usize>(
+fn add_rows_of<N: Kinematics<NU> + ?Sized, const NU: usize>(
     around: &Surroundings,
     index: usize,
-    nodes: &[PlanarNode],
+    nodes: &N,
     rows: &mut Vec<Row<3, NU>>,
 ) {
     let margin = MARGIN * around.length;
@@ -197,7 +365,7 @@ fn add_rows_of<const NU: usize>(
             };
             kind.id(count)
         };
-        if let Element::Point { lever } = candidate.element {
+        if candidate.is_point() {
             if obstacle.is_beyond(start, near) {
                 continue;
             }
@@ -207,15 +375,7 @@ fn add_rows_of<const NU: usize>(
             if clearance.distance > near {
                 continue;
             }
-            let node = &nodes[candidate.node];
-            rows.push(Row {
-                id: id(None),
-                stage: candidate.node,
-                value: clearance.distance - candidate.radius,
-                before: None,
-                after: DiskPoint { node, lever }.gradient(clearance.normal),
-                control: Control::zeros(),
-            });
+            rows.push(point_row(candidate, id(None), nodes, &clearance));
             continue;
         }
         if obstacle.is_beyond(start, near + (end - start).norm()) {
@@ -235,42 +395,51 @@ fn add_rows_of<const NU: usize>(
     }
 }
 
-/// The row of an edge's inside on a vertex.
-fn edge_row<const NU: usize>(
+/// The row of a point.
+#[inline]
+fn point_row<N: Kinematics<NU> + ?Sized, const NU: usize>(
     candidate: &Candidate,
     id: RowId,
-    nodes: &[PlanarNode],
-    clearance: EdgeClearance,
+    nodes: &N,
+    clearance: &PointClearance,
 ) -> Row<3, NU> {
-    let [first, last] = edge_points(candidate, nodes);
-    let first = first.gradient((1.0 - clearance.along) * clearance.normal);
-    let last = last.gradient(clearance.along * clearance.normal);
-    let one_node = matches!(candidate.element, Element::Across { .. });
-    Row {
-        id,
-        stage: candidate.node,
-        value: clearance.distance - candidate.radius,
-        before: (!one_node).then_some(first),
-        after: if one_node { first + last } else { last },
-        control: Control::zeros(),
+    let value = clearance.distance - candidate.radius;
+    let normal = clearance.normal;
+    let node = candidate.node;
+    if let Element::Point { lever } = candidate.element
+        && !nodes.is_inside(node)
+    {
+        let point = DiskPoint {
+            node: nodes.node(node),
+            lever,
+        };
+        return Row {
+            id,
+            stage: nodes.stage(node),
+            value,
+            before: None,
+            after: point.gradient(normal),
+            control: Control::zeros(),
+        };
     }
+    let share = candidate.share();
+    let weights = ((1.0 - share) * normal, share * normal);
+    Ends::of(candidate, nodes).row(id, nodes.stage(node), value, weights, false)
 }
 
-/// The two ends of an edge as functions of their nodes' states.
-fn edge_points<'a>(candidate: &Candidate, nodes: &'a [PlanarNode]) -> [DiskPoint<'a>; 2] {
-    let node = &nodes[candidate.node];
-    match candidate.element {
-        Element::Point { lever } => [DiskPoint { node, lever }, DiskPoint { node, lever }],
-        Element::Link { lever } => {
-            let below = &nodes[candidate.node - 1];
-            [DiskPoint { node: below, lever }, DiskPoint { node, lever }]
-        }
-        Element::Across { lever } => [
-            DiskPoint {
-                node,
-                lever: -lever,
-            },
-            DiskPoint { node, lever },
-        ],
-    }
+/// The row of an edge's inside on a vertex.
+fn edge_row<N: Kinematics<NU> + ?Sized, const NU: usize>(
+    candidate: &Candidate,
+    id: RowId,
+    nodes: &N,
+    clearance: EdgeClearance,
+) -> Row<3, NU> {
+    let weights = (
+        (1.0 - clearance.along) * clearance.normal,
+        clearance.along * clearance.normal,
+    );
+    let one_node = matches!(candidate.element, Element::Across { .. });
+    let value = clearance.distance - candidate.radius;
+    let stage = nodes.stage(candidate.node);
+    Ends::of(candidate, nodes).row(id, stage, value, weights, one_node)
 }

@@ -3,7 +3,7 @@
 use super::rows::RowKind;
 use super::surroundings::Surroundings;
 use crate::geometry::Vector;
-use crate::robot::{Line, PlanarNode, Robot};
+use crate::robot::{Line, Nodes, Robot};
 use crate::solver::Row;
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +33,8 @@ pub struct Contact {
     pub candidate: usize,
     /// The line of the robot.
     pub line: Line,
+    /// The cable it is on, from 0; 0 where it is on none.
+    pub cable: usize,
     /// The node, from 1; the upper one of a link.
     pub node: usize,
     /// Index of the obstacle in the problem.
@@ -73,10 +75,10 @@ pub struct Multipliers<'a> {
 impl Surroundings {
     /// Puts into `contacts` (emptied before) what touches in a shape with these
     /// rows near their bounds.
-    pub fn find_contacts<const NU: usize>(
+    pub fn find_contacts<N: Nodes + ?Sized, const NU: usize>(
         &self,
         rows: &[Row<3, NU>],
-        nodes: &[PlanarNode],
+        nodes: &N,
         found: Multipliers<'_>,
         contacts: &mut Vec<Contact>,
     ) {
@@ -104,6 +106,7 @@ impl Surroundings {
             contacts.push(Contact {
                 candidate: index,
                 line: candidate.line,
+                cable: candidate.cable,
                 node: candidate.node,
                 obstacle,
                 vertex,

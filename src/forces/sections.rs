@@ -155,16 +155,19 @@ fn share(
 ) {
     let force = per_bend * contact.multiplier * contact.normal;
     let node = contact.node;
-    match problem.candidates()[contact.candidate].element {
-        Element::Link { lever } => {
-            for (node, part) in [(node - 1, 1.0 - contact.along), (node, contact.along)] {
-                loads.push(Load {
-                    node,
-                    at: nodes[node].at(lever),
-                    force: part * force,
-                });
-            }
+    let candidate = &problem.candidates()[contact.candidate];
+    let mut shared = |upper: usize, lever: f64, along: f64| {
+        for (node, part) in [(upper - candidate.span, 1.0 - along), (upper, along)] {
+            loads.push(Load {
+                node,
+                at: nodes[node].at(lever),
+                force: part * force,
+            });
         }
+    };
+    match candidate.element {
+        Element::Link { lever } => shared(node, lever, contact.along),
+        Element::OnLink { lever, above } => shared(node + above, lever, candidate.share()),
         // The point of the surface lies on the force's line of action.
         Element::Point { .. } | Element::Across { .. } => loads.push(Load {
             node,

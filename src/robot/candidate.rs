@@ -2,7 +2,7 @@
 //! It knows no obstacle.
 
 use super::dimensions::Robot;
-use super::node::PlanarNode;
+use super::node::Nodes;
 use super::sizes::Sizes;
 use crate::geometry::Vector;
 use serde::{Deserialize, Serialize};
@@ -43,10 +43,17 @@ pub enum Element {
         /// The point's lever.
         lever: f64,
     },
-    /// A link from the node before to the candidate's node.
+    /// A link to the candidate's node from the one its span below.
     Link {
         /// The lever of both ends.
         lever: f64,
+    },
+    /// The point of a link, one that spans several nodes, at the candidate's node.
+    OnLink {
+        /// The lever of the link's ends.
+        lever: f64,
+        /// How many nodes above the candidate's its upper end is, less than its span.
+        above: usize,
     },
     /// A disk, from one rim to the other.
     Across {
@@ -68,6 +75,11 @@ pub struct Candidate {
     pub radius: f64,
     /// Which edges of the robot, at least as thick, end in its point.
     pub joins: Joins,
+    /// How many nodes apart the ends of its link are, or of the links that end in its
+    /// point: 1, or, of a cable that is straight from disk to disk, a bay's segments.
+    pub span: usize,
+    /// The cable it belongs to, from 0; 0 where it belongs to none.
+    pub cable: usize,
 }
 
 /// What ends in a point of the robot.
@@ -85,20 +97,43 @@ impl Candidate {
     /// How far from the backbone the candidate is, at most.
     pub fn lever(&self) -> f64 {
         match self.element {
-            Element::Point { lever } | Element::Link { lever } | Element::Across { lever } => {
-                lever.abs()
-            }
+            Element::Point { lever }
+            | Element::Link { lever }
+            | Element::OnLink { lever, .. }
+            | Element::Across { lever } => lever.abs(),
         }
+    }
+
+    /// Whether it is a point, and not a line between two.
+    pub fn is_point(&self) -> bool {
+        matches!(self.element, Element::Point { .. } | Element::OnLink { .. })
     }
 
     /// The candidate's point, or its two ends, from the nodes.
     #[inline]
-    pub fn ends(&self, nodes: &[PlanarNode]) -> (Vector, Vector) {
-        let node = &nodes[self.node];
+    pub fn ends<N: Nodes + ?Sized>(&self, nodes: &N) -> (Vector, Vector) {
+        let node = nodes.node(self.node);
         match self.element {
             Element::Point { lever } => (node.at(lever), node.at(lever)),
-            Element::Link { lever } => (nodes[self.node - 1].at(lever), node.at(lever)),
+            Element::Link { lever } => {
+                (nodes.node(self.node - self.span).at(lever), node.at(lever))
+            }
+            Element::OnLink { lever, above } => {
+                let upper = self.node + above;
+                let (below, above) = (nodes.node(upper - self.span), nodes.node(upper));
+                let (start, end) = (below.at(lever), above.at(lever));
+                let point = start + self.share() * (end - start);
+                (point, point)
+            }
             Element::Across { lever } => (node.at(-lever), node.at(lever)),
+        }
+    }
+
+    /// Where on its link a point is, from 0 at the lower end to 1; 1 for all others.
+    pub fn share(&self) -> f64 {
+        match self.element {
+            Element::OnLink { above, .. } => 1.0 - above as f64 / self.span as f64,
+            _ => 1.0,
         }
     }
 }
@@ -120,6 +155,8 @@ impl Robot {
             node,
             element,
             radius: 0.5 * thickness,
+            span: 1,
+            cable: 0,
             joins: match line {
                 Line::Backbone | Line::Cable => Joins::Links,
                 Line::RimFarSide => Joins::Disk,

@@ -36,6 +36,8 @@ impl Robot {
             element: Element::Point { lever },
             radius: 0.0,
             joins: Joins::Nothing,
+            span: 1,
+            cable: 0,
         };
         match contact.candidates {
             Candidates::Nodes => nodes

@@ -12,5 +12,5 @@ mod sizes;
 pub use candidate::{Candidate, Element, Joins, Line};
 pub use dimensions::Robot;
 pub use names::part_name;
-pub use node::PlanarNode;
+pub use node::{Nodes, PlanarNode};
 pub use sizes::Sizes;

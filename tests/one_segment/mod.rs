@@ -74,6 +74,8 @@ impl OneSegment {
             element: Element::Point { lever: OFFSET },
             radius: 0.0,
             joins: Joins::Nothing,
+            span: 1,
+            cable: 0,
         }];
         let post = Obstacle::new(Core::Point, 1e-3, Vector::zeros(), 0.0);
         Self {
@@ -96,6 +98,7 @@ impl OneSegment {
         Contact {
             candidate: 0,
             line: Line::Cable,
+            cable: 0,
             node: 1,
             obstacle: 0,
             vertex: None,
@@ -128,6 +131,7 @@ impl OneSegment {
         Contact {
             candidate: 0,
             line: Line::CableLink,
+            cable: 0,
             node: 1,
             obstacle: 0,
             vertex: Some(0),

@@ -151,7 +151,9 @@ impl Certifier {
                     continue;
                 }
                 let distance = match candidate.element {
-                    Element::Point { .. } => obstacle.clearance(start).distance,
+                    Element::Point { .. } | Element::OnLink { .. } => {
+                        obstacle.clearance(start).distance
+                    }
                     Element::Link { .. } | Element::Across { .. } => {
                         obstacle.edge_distance(start, end)
                     }
@@ -177,7 +179,9 @@ impl Certifier {
         let point = |i: usize, lever: f64| self.backbone[i] + lever / offset * self.disk(i);
         let i = candidate.node;
         match candidate.element {
-            Element::Point { lever } => (point(i, lever), point(i, lever)),
+            Element::Point { lever } | Element::OnLink { lever, .. } => {
+                (point(i, lever), point(i, lever))
+            }
             Element::Link { lever } => (point(i - 1, lever), point(i, lever)),
             Element::Across { lever } => (point(i, -lever), point(i, lever)),
         }

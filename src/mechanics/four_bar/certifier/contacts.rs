@@ -41,7 +41,7 @@ impl Certifier {
             let normal = contact.normal;
             let along = contact.along;
             let (gradient, ends) = match candidate.element {
-                Element::Point { lever } => (
+                Element::Point { lever } | Element::OnLink { lever, .. } => (
                     Gradient {
                         after: at(normal, lever),
                         before: Pair::zeros(),

@@ -37,7 +37,7 @@ fn ends(points: &Points, candidate: &Candidate) -> (Vector, Vector) {
     };
     let i = candidate.node;
     match candidate.element {
-        Element::Point { lever } => (at(i, lever), at(i, lever)),
+        Element::Point { lever } | Element::OnLink { lever, .. } => (at(i, lever), at(i, lever)),
         Element::Link { lever } => (at(i - 1, lever), at(i, lever)),
         Element::Across { lever } => (at(i, -lever), at(i, lever)),
     }
@@ -69,6 +69,8 @@ fn pressed() -> (Problem, Vec<Contact>) {
         element,
         radius: 5e-4,
         joins: Joins::Nothing,
+        span: 1,
+        cable: 0,
     };
     let candidates = vec![
         candidate(
@@ -108,6 +110,7 @@ fn pressed() -> (Problem, Vec<Contact>) {
         contacts.push(Contact {
             candidate: index,
             line: candidate.line,
+            cable: 0,
             node: candidate.node,
             obstacle: index,
             vertex,
