@@ -11,8 +11,7 @@ use sinew::contact::Contact;
 use sinew::contact::RowKind;
 use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle};
-use sinew::mechanics::Certifier;
-use sinew::mechanics::Problem;
+use sinew::mechanics::{Certifier, Condition, Problem};
 use sinew::scene::Scene;
 use sinew::solver::{Control, Hessian, RowId};
 
@@ -78,7 +77,7 @@ fn is_minimum(problem: &Problem, solution: &Solution) -> bool {
     let points = nodes.map(|node| (node.position, node.at(offset)));
     let certificate = Certifier::default().certify(problem, points, &solution.contacts);
     assert!(certificate.residual() < 1e-9, "{certificate:?}");
-    certificate.minimum
+    certificate.get(Condition::Minimum) == Some(1.0)
 }
 
 /// The same shape with the same forces where every contact has a post of its

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use sinew::contact::Class;
 use sinew::equilibrium::{EndReason, Settings, Solution, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle, Vector};
-use sinew::mechanics::Problem;
+use sinew::mechanics::{Condition, Problem};
 use sinew::report::svg::{self, Size};
 use sinew::robot::PlanarNode;
 use sinew::scene::Scene;
@@ -322,11 +322,11 @@ fn what_is_not_certified_is_greyed_with_its_reason() {
         "the branch ends at segment 12: the equilibrium folds back and the robot slips away",
     );
     check(
-        &|s| s.certificate.stationarity = 2.5e-4,
+        &|s| s.certificate.set(Condition::Stationarity, 2.5e-4),
         "not certified: the optimality residual is 2.50×10⁻⁴, over 1.00×10⁻⁹",
     );
     check(
-        &|s| s.certificate.minimum = false,
+        &|s| s.certificate.set(Condition::Minimum, false),
         "not certified: the shape is balanced but not a minimum of the energy",
     );
 }

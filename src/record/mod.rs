@@ -15,10 +15,12 @@ pub mod json;
 pub mod nodes;
 pub mod path;
 
+mod certificate;
 mod fit;
 mod solution;
 mod timing;
 
+pub use certificate::Certificate;
 pub use fit::{Fit, FitPoint};
-pub use solution::{Caution, Certificate, Contact, Event, Place, Side, Solution};
+pub use solution::{Caution, Contact, Event, Place, Side, Solution};
 pub use timing::{Sample, Timing};

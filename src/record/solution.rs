@@ -6,10 +6,10 @@ use crate::contact::Contact as Touch;
 use crate::equilibrium::{Caution as Finding, Event as Happening, Occurrence, Run};
 use crate::forces::Stiffness;
 use crate::geometry::Vector;
-use crate::mechanics::Certificate as Conditions;
 use crate::robot::Line;
 use crate::units::{millimetres, per_millimetre};
 
+use super::certificate::Certificate;
 use super::timing::Timing;
 
 /// The version of the keys below.
@@ -94,32 +94,6 @@ pub enum Side {
     Backbone,
     /// The cable's.
     Cable,
-}
-
-/// The conditions of an equilibrium, each as what is left of it, without unit;
-/// see [`crate::mechanics::Certificate`].
-#[derive(Serialize)]
-pub struct Certificate {
-    /// Of the balance of forces at every node.
-    pub stationarity: f64,
-    /// Of the lengths of the links.
-    pub links: f64,
-    /// Of what touches being outside of its obstacle.
-    pub penetration: f64,
-    /// Of what presses being in touch.
-    pub complementarity: f64,
-    /// Of nothing pulling.
-    pub dual: f64,
-    /// The greatest of those above.
-    pub residual: f64,
-    /// Whether no segment is flipped.
-    pub orientation: bool,
-    /// Whether the shape is a minimum.
-    pub minimum: bool,
-    /// How the energy rises with the pull, in rad²/mm.
-    pub energy_slope: f64,
-    /// Whether all of it holds.
-    pub holds: bool,
 }
 
 /// A part of the robot and what is there; keys that do not apply are left out.
@@ -220,7 +194,7 @@ impl Solution {
             contacts: solution.contacts.iter().map(contact).collect(),
             unique_split: solution.unique_split,
             obstacles_placed: run.obstacles_are_placed(),
-            certificate: certificate(&solution.certificate),
+            certificate: Certificate::of(&solution.certificate),
             cautions: cautions.into_iter().map(caution).collect(),
             events: solution.events.iter().map(event).collect(),
             iterations: solution.iterations,
@@ -237,25 +211,6 @@ impl Solution {
             let [u, v] = contact.normal;
             [contact.multiplier, contact.clearance_mm, x, y, u, v]
         });
-        let Certificate {
-            stationarity,
-            links,
-            penetration,
-            complementarity,
-            dual,
-            residual,
-            energy_slope,
-            ..
-        } = self.certificate;
-        let conditions = [
-            stationarity,
-            links,
-            penetration,
-            complementarity,
-            dual,
-            residual,
-            energy_slope,
-        ];
         let events = self.events.iter().flat_map(|event| {
             let [u, v] = event.direction.unwrap_or_default();
             [event.pull_mm, event.distance_mm.unwrap_or_default(), u, v]
@@ -268,7 +223,7 @@ impl Solution {
             .chain(points.copied())
             .chain(angles.copied())
             .chain(contacts)
-            .chain(conditions)
+            .chain(self.certificate.numbers())
             .chain(events)
             .all(f64::is_finite)
     }
@@ -288,21 +243,6 @@ fn contact(touch: &Touch) -> Contact {
             Line::Backbone | Line::BackboneLink | Line::RimFarSide | Line::Disk => Side::Backbone,
             Line::Cable | Line::CableLink | Line::RimCableSide => Side::Cable,
         },
-    }
-}
-
-fn certificate(conditions: &Conditions) -> Certificate {
-    Certificate {
-        stationarity: conditions.stationarity,
-        links: conditions.links,
-        penetration: conditions.penetration,
-        complementarity: conditions.complementarity,
-        dual: conditions.dual,
-        residual: conditions.residual(),
-        orientation: conditions.orientation,
-        minimum: conditions.minimum,
-        energy_slope: per_millimetre(conditions.energy_slope),
-        holds: conditions.holds(),
     }
 }
 

@@ -4,7 +4,7 @@
 use super::drawing::Standing;
 use super::quantity::Quantity;
 use crate::equilibrium::{Solution, Status};
-use crate::mechanics::Certificate;
+use crate::mechanics::{Certificate, Condition, ConditionKind};
 
 /// What became of a solve, in a word or two, such as `Branch ended`.
 pub fn outcome(solution: &Solution) -> &'static str {
@@ -51,18 +51,22 @@ pub(super) fn standing(solution: &Solution) -> Standing {
     }
 }
 
-/// Why a certificate does not hold.
+/// Why a certificate does not hold: what is left, or else the first condition
+/// that is not met.
 fn refused(certificate: &Certificate) -> String {
-    if certificate.residual() > Certificate::BOUND {
-        let residual = Quantity::significant(certificate.residual(), "");
-        let bound = Quantity::significant(Certificate::BOUND, "");
-        format!(
+    let wrong = certificate
+        .conditions()
+        .find_map(|(condition, value)| match condition.kind() {
+            ConditionKind::YesOrNo(answers) if !condition.is_met(value) => Some(answers.wrong),
+            _ => None,
+        });
+    let residual = certificate.residual();
+    match wrong {
+        Some(wrong) if residual.is_nan() || residual <= Condition::BOUND => wrong.to_owned(),
+        _ => format!(
             "the optimality residual is {}, over {}",
-            residual.digits, bound.digits
-        )
-    } else if !certificate.orientation {
-        "a segment is assembled the wrong way round".to_owned()
-    } else {
-        "the shape is balanced but not a minimum of the energy".to_owned()
+            Quantity::significant(residual, "").digits,
+            Quantity::significant(Condition::BOUND, "").digits
+        ),
     }
 }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::{Labels, paragraph, pull_shown};
 use crate::math::decimals;
-use crate::mechanics::Certificate as Conditions;
+use crate::mechanics::{Answers, Condition, ConditionKind};
 use crate::record::{Caution, Contact, Event, Solution, Timing};
 use crate::units::{RAD2_PER_MM, degrees, metres};
 
@@ -45,27 +45,25 @@ pub(super) fn solution(out: &mut impl Write, labels: &Labels, state: &Solution) 
 
 fn certificate(out: &mut impl Write, state: &Solution) -> io::Result<()> {
     let certificate = &state.certificate;
-    let bound = Conditions::BOUND;
     let verdict = if certificate.holds {
         "holds"
     } else {
         "does not hold"
     };
-    let minimum = if certificate.minimum {
-        "a minimum"
-    } else {
-        "no minimum"
-    };
-    let assembly = if certificate.orientation {
-        "no segment flipped"
-    } else {
-        "a segment flipped"
-    };
-    writeln!(
+    write!(
         out,
-        "  certificate  {verdict}: residual {:.0e} (at most {bound:.0e}), {minimum}, {assembly}",
-        certificate.residual
-    )
+        "  certificate  {verdict}: residual {:.0e} (at most {:.0e})",
+        certificate.residual,
+        Condition::BOUND
+    )?;
+    // What says most of the shape, that it is a minimum, is certified last.
+    for (condition, value) in certificate.conditions.iter().rev() {
+        if let ConditionKind::YesOrNo(Answers { yes, no, .. }) = condition.kind() {
+            let answer = if condition.is_met(*value) { yes } else { no };
+            write!(out, ", {answer}")?;
+        }
+    }
+    writeln!(out)
 }
 
 fn cautions(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Result<()> {

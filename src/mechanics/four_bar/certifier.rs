@@ -28,7 +28,7 @@ mod tests;
 use crate::contact::Contact;
 use crate::geometry::{Vector, cross, perpendicular};
 use crate::math::greatest;
-use crate::mechanics::{Certificate, Problem};
+use crate::mechanics::{Certificate, Condition, Problem};
 use crate::robot::{Candidate, Element};
 use nalgebra::{SMatrix, SVector};
 
@@ -86,19 +86,14 @@ impl Certifier {
             self.cable.push(cable);
         }
         let length = problem.length();
-        let mut certificate = Certificate {
-            links: self.link_error(problem) / length,
-            orientation: self.orientation(),
-            penetration: self.penetration(problem) / length,
-            ..Certificate::default()
-        };
         let sizes = contacts.iter().map(|contact| contact.multiplier.abs());
         let most = sizes.fold(0.0, f64::max);
+        let (mut complementarity, mut dual) = (0.0, 0.0);
         for contact in contacts {
             let share = contact.multiplier / most.max(f64::MIN_POSITIVE);
-            certificate.dual = greatest(certificate.dual, -share);
+            dual = greatest(dual, -share);
             let gap = share.abs() * self.gap(problem, contact) / length;
-            certificate.complementarity = greatest(certificate.complementarity, gap);
+            complementarity = greatest(complementarity, gap);
         }
         self.add_energy();
         self.add_contacts(problem, contacts);
@@ -106,10 +101,20 @@ impl Certifier {
         let free_bend = problem.segment().free_bend().abs();
         let bending = 2.0 * (free_bend + LEAST_BEND) / problem.robot().offset;
         let (residual, cable_sum) = self.balance_links();
-        certificate.stationarity = residual / bending.max(most);
+        let mut certificate = Certificate::default();
+        for (condition, left) in [
+            (Condition::Stationarity, residual / bending.max(most)),
+            (Condition::Links, self.link_error(problem) / length),
+            (Condition::Penetration, self.penetration(problem) / length),
+            (Condition::Complementarity, complementarity),
+            (Condition::Dual, dual),
+        ] {
+            certificate.set(condition, left);
+        }
+        certificate.set(Condition::Orientation, self.orientation());
+        certificate.set(Condition::Minimum, self.is_minimum(problem));
         // ∂l_a/∂l = −1/n for every cable link.
         certificate.energy_slope = -cable_sum / n as f64;
-        certificate.minimum = self.is_minimum(problem);
         certificate
     }
 

@@ -8,7 +8,7 @@ use crate::app::widgets::row;
 use crate::app::words;
 use crate::app::workbench::Workbench;
 use crate::equilibrium::{Caution, Solution};
-use crate::mechanics::Certificate;
+use crate::mechanics::{Certificate, Condition, ConditionKind};
 use crate::scene::{Candidates, Scene};
 use crate::solver::Iteration;
 use crate::units::{millimetres, per_millimetre};
@@ -109,83 +109,9 @@ fn verdict(ui: &mut Ui, bench: &Workbench, solution: &Solution, scene: &Scene) {
     ui.add(Label::new(text).wrap());
 }
 
-/// A condition of the certificate.
-struct Condition {
-    name: &'static str,
-    /// How the paper writes it.
-    symbols: &'static str,
-    /// What it means.
-    meaning: &'static str,
-    value: String,
-    /// What the value has to stay below; empty where there is no such number.
-    bound: String,
-    holds: bool,
-}
-
 fn conditions(ui: &mut Ui, certificate: &Certificate) {
-    let bound = Quantity::order(Certificate::BOUND, "").digits;
-    let bound = bound.trim_start_matches("1×");
-    let residual = |name, symbols, meaning, value: f64| Condition {
-        name,
-        symbols,
-        meaning,
-        value: Quantity::significant(value, "").digits,
-        bound: format!("≤ {bound}"),
-        holds: value <= Certificate::BOUND,
-    };
-    let yes_or_no = |name, symbols, meaning, holds: bool| Condition {
-        name,
-        symbols,
-        meaning,
-        value: if holds { "yes" } else { "no" }.to_owned(),
-        bound: String::new(),
-        holds,
-    };
-    for condition in [
-        residual(
-            "Stationarity",
-            "∂J = Σ λ ∂g + Σ μ ∂h",
-            "No node is pushed along the way it is free to move.",
-            certificate.stationarity,
-        ),
-        residual(
-            "Links",
-            "h = 0",
-            "Every link and every disk keeps its length.",
-            certificate.links,
-        ),
-        residual(
-            "Penetration",
-            "g ≥ 0",
-            "Nothing that may touch is inside an obstacle.",
-            certificate.penetration,
-        ),
-        residual(
-            "Complementarity",
-            "λ g = 0",
-            "Only what touches can press.",
-            certificate.complementarity,
-        ),
-        residual(
-            "Dual feasibility",
-            "λ ≥ 0",
-            "Obstacles push and never pull.",
-            certificate.dual,
-        ),
-        yes_or_no(
-            "Orientation",
-            "",
-            "Every segment is assembled as in the straight robot.",
-            certificate.orientation,
-        ),
-        yes_or_no(
-            "Minimum",
-            "δ²L > 0",
-            "Every small motion that is allowed costs energy: the robot can rest here.",
-            certificate.minimum,
-        ),
-    ] {
-        show_condition(ui, &condition);
+    for (condition, value) in certificate.conditions() {
+        show_condition(ui, condition, value);
     }
     ui.add_space(8.0);
     let slope = Quantity::significant(per_millimetre(certificate.energy_slope), "rad²/mm");
@@ -198,15 +124,29 @@ fn conditions(ui: &mut Ui, certificate: &Certificate) {
     );
 }
 
-fn show_condition(ui: &mut Ui, condition: &Condition) {
+/// A condition with what is left of it, and what that has to stay below, or
+/// with whether it is met.
+fn show_condition(ui: &mut Ui, condition: Condition, value: f64) {
+    let is_met = condition.is_met(value);
+    let (value, bound) = match condition.kind() {
+        ConditionKind::Residual => {
+            let bound = Quantity::order(Condition::BOUND, "").digits;
+            let bound = format!("≤ {}", bound.trim_start_matches("1×"));
+            (Quantity::significant(value, "").digits, bound)
+        }
+        ConditionKind::YesOrNo(_) => {
+            let answer = if is_met { "yes" } else { "no" };
+            (answer.to_owned(), String::new())
+        }
+    };
     let tokens = Tokens::in_ui(ui);
     let size = vec2(ui.available_width(), 22.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| {
-        let (name, value, bound) = (condition.name, &condition.value, &condition.bound);
+        let name = condition.name();
         WidgetInfo::labeled(Role::Label, true, format!("{name} {value} {bound}"))
     });
-    let (glyph, ink) = match condition.holds {
+    let (glyph, ink) = match is_met {
         true => (icons::CHECK, tokens.good),
         false => (icons::X, tokens.error),
     };
@@ -219,21 +159,22 @@ fn show_condition(ui: &mut Ui, condition: &Condition) {
         painter.text(at, Align2::LEFT_CENTER, text, font, ink)
     };
     left(0.0, glyph, crate::app::look::icon_font(14.0), ink);
-    let name = left(20.0, condition.name, body.clone(), tokens.text);
+    let name = left(20.0, condition.name(), body.clone(), tokens.text);
     let beside = name.right() - rect.left() + 8.0;
-    left(beside, condition.symbols, small_font.clone(), tokens.muted);
+    left(
+        beside,
+        condition.symbols(),
+        small_font.clone(),
+        tokens.muted,
+    );
     let right = |x: f32, text: &str, font: FontId, ink: Color32| {
         let at = pos2(rect.right() - x, y);
         painter.text(at, Align2::RIGHT_CENTER, text, font, ink);
     };
-    right(0.0, &condition.bound, small_font, tokens.muted);
-    let value_ink = if condition.holds {
-        tokens.text
-    } else {
-        tokens.error
-    };
-    right(64.0, &condition.value, body, value_ink);
-    small(ui, condition.meaning, 20.0);
+    right(0.0, &bound, small_font, tokens.muted);
+    let value_ink = if is_met { tokens.text } else { tokens.error };
+    right(64.0, &value, body, value_ink);
+    small(ui, condition.meaning(), 20.0);
     ui.add_space(4.0);
 }
 
