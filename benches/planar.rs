@@ -19,7 +19,7 @@
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use sinew::equilibrium::{Run, Settings, Solution, Start, solve};
+use sinew::equilibrium::{Run, Settings, Solved, Start, solve};
 use sinew::geometry::Vector;
 use sinew::mechanics::Problem;
 use sinew::scene::Scene;
@@ -42,7 +42,7 @@ fn problem(segments: u32, pull_mm: f64) -> Problem {
     }
 }
 
-fn direct(problem: &Problem) -> Solution {
+fn direct(problem: &Problem) -> Solved {
     solve(problem, Start::Direct, Settings::default())
 }
 

@@ -13,7 +13,7 @@
 //! that shape, what the robot presses on and how hard, and proves it:
 //!
 //! ```text
-//! text ── scene ──▶ Scene ── mechanics ──▶ Problem ── equilibrium ──▶ Solution
+//! text ── scene ──▶ Scene ── mechanics ──▶ Problem ── equilibrium ──▶ Solved
 //!                                             │                          │
 //!                contact, geometry: clearances of obstacles         Certificate
 //!                solver: least cost along a chain           view, report, record
@@ -25,7 +25,9 @@
 //! eliminated exactly and only its turn is unknown; the [`solver`] minimises
 //! along the chain in time proportional to n. [`equilibrium`] follows the shape
 //! from the straight robot along the pull, as a real robot would get there, and
-//! certifies where it arrives in the paper's own coordinates.
+//! certifies where it arrives in the paper's own coordinates. What it finds is
+//! an [`equilibrium::Solution`]; with the problem that it is one of, an
+//! [`equilibrium::Solved`], which is all that draws, plots or writes a shape.
 //!
 //! # Code map
 //!

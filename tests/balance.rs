@@ -3,7 +3,7 @@
 //! and what is said where there are no forces to tell.
 
 use sinew::contact::Class;
-use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Settings, Solution, Solved, Start, Status, solve};
 use sinew::forces::{
     Caveat, FitError, LineFit, Loading, Profile, Rates, Resultant, Sections, Statics, Stiffness,
     StiffnessError, Sweep, SweepError, Touch, VirtualWork, VirtualWorkError, Window,
@@ -35,11 +35,11 @@ fn body(pull_mm: f64, shapes: &[Shape]) -> Scene {
 }
 
 #[track_caller]
-fn solved(scene: &Scene) -> (Problem, Solution, Statics) {
+fn solved(scene: &Scene) -> (Problem, Solved, Statics) {
     let problem = Problem::new(scene).unwrap();
     let solution = solve(&problem, Start::Straight, Settings::default());
     assert_eq!(solution.status, Status::Converged);
-    let statics = Statics::of(&problem, &solution, stiffness());
+    let statics = Statics::of(&solution, stiffness());
     assert!(statics.balances(), "{statics:?}");
     (problem, solution, statics)
 }
@@ -99,7 +99,7 @@ fn a_base_elsewhere_changes_no_force() {
                 *center_mm = [310.0 - center_mm[1], -120.0 + center_mm[0]];
             }
         }
-        let (problem, solution, here) = solved(&here);
+        let (_, solution, here) = solved(&here);
         let (.., there) = solved(&there);
         close(there.tension, here.tension, 1e-9);
         let alike = |a: Resultant, b: Resultant| {
@@ -116,7 +116,7 @@ fn a_base_elsewhere_changes_no_force() {
             close(b.backbone, a.backbone, 1e-7);
             close(b.couple, a.couple, 1e-7);
         }
-        let mean = Sections::of(&problem, &solution, 1.0).mean_tension();
+        let mean = Sections::of(&solution, 1.0).mean_tension();
         close(mean, solution.certificate.energy_slope, 1e-9);
     }
 }
@@ -125,15 +125,17 @@ fn a_base_elsewhere_changes_no_force() {
 #[test]
 fn moments_and_forces_fail_by_themselves() {
     let (problem, solution, _) = solved(&at_the_first_link());
-    let mut beside = solution.clone();
+    let mut beside = solution.solution().clone();
     beside.contacts[0].point += 1e-6 * Vector::new(0.0, 1.0);
-    let statics = Statics::of(&problem, &beside, stiffness());
+    let beside = Solved::pair(problem.clone(), beside).unwrap();
+    let statics = Statics::of(&beside, stiffness());
     assert!(statics.unbalanced_moment > Statics::BOUND);
     assert!(statics.unbalanced_force <= Statics::BOUND);
     assert!(!statics.balances());
-    let mut stronger = solution.clone();
+    let mut stronger = solution.into_solution();
     stronger.contacts[0].multiplier *= 1.01;
-    let statics = Statics::of(&problem, &stronger, stiffness());
+    let stronger = Solved::pair(problem, stronger).unwrap();
+    let statics = Statics::of(&stronger, stiffness());
     assert!(statics.unbalanced_force > Statics::BOUND);
     assert!(!statics.balances());
 }
@@ -179,21 +181,18 @@ fn what_is_no_stiffness_is_told_with_its_number() {
     );
     let mut scene = Scene::default();
     scene.actuation.pull_mm = 0.0;
-    let (straight, still, _) = solved(&scene);
+    let (_, still, _) = solved(&scene);
     let no_pull = "at a pull of 0 mm the robot is not bent by its cable, so that no load calibrates \
                    its stiffness; give a load measured at a positive pull";
-    check(Stiffness::calibrated(&straight, &still, 1.0), no_pull);
+    check(Stiffness::calibrated(&still, 1.0), no_pull);
     scene.actuation.pull_mm = 5.0;
-    let (problem, solution, _) = solved(&scene);
+    let (_, solution, _) = solved(&scene);
     for load in [-1.0, 0.0, f64::INFINITY] {
-        let found = Stiffness::calibrated(&problem, &solution, load).unwrap_err();
+        let found = Stiffness::calibrated(&solution, load).unwrap_err();
         assert!(matches!(found, StiffnessError::NoLoad(_)), "{found:?}");
     }
     let text = "a load of -125 g cannot calibrate the stiffness; give a positive one";
-    check(
-        Stiffness::calibrated(&problem, &solution, -0.125 * 9.80665),
-        text,
-    );
+    check(Stiffness::calibrated(&solution, -0.125 * 9.80665), text);
     scene.robot.bending_stiffness_nmm2 = Some(8000.0);
     close(
         Stiffness::of_scene(&scene).unwrap().unwrap().value(),

@@ -20,7 +20,7 @@ fn keeps_out(window: &Window) {
     let bench = window.bench();
     assert!(bench.live.is_settled());
     let solution = bench.live.solution().unwrap();
-    for clearance in solution.clearances(bench.live.problem()) {
+    for clearance in solution.clearances() {
         assert!(clearance.clearance > -2e-10, "{clearance:?}");
     }
 }

@@ -1,7 +1,7 @@
 //! Cautions: each fires where its cause is there, with the right place and
 //! size, and not where it is not. None changes a status or a shape.
 
-use sinew::equilibrium::{Caution, Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Caution, Settings, Solved, Start, Status, solve};
 use sinew::geometry::Vector;
 use sinew::mechanics::Problem;
 use sinew::robot::Line;
@@ -23,11 +23,11 @@ fn scene(pull_mm: f64, shapes: &[Shape]) -> Scene {
 
 /// The certified shape and its cautions.
 #[track_caller]
-fn found(scene: &Scene) -> (Problem, Solution, Vec<Caution>) {
+fn found(scene: &Scene) -> (Problem, Solved, Vec<Caution>) {
     let problem = Problem::new(scene).unwrap();
     let solution = solve(&problem, Start::Straight, Settings::default());
     assert_eq!(solution.status, Status::Converged);
-    let cautions = Caution::all(&problem, &solution);
+    let cautions = Caution::all(&solution);
     (problem, solution, cautions)
 }
 
@@ -192,7 +192,7 @@ fn a_long_robot_is_looked_at_in_no_time() {
     let solution = solve(&problem, Start::Direct, Settings::default());
     let slope = solution.nodes[0].angle - solution.tip().angle;
     assert!((4.9..5.1).contains(&slope), "{slope}");
-    assert!(Caution::all(&problem, &solution).is_empty());
+    assert!(Caution::all(&solution).is_empty());
 }
 
 #[test]

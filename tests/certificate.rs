@@ -5,7 +5,7 @@ mod one_segment;
 
 use one_segment::{BACKBONE, CABLE, OFFSET, OneSegment, Points};
 use sinew::contact::Contact;
-use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Settings, Solved, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle, Vector, perpendicular};
 use sinew::mechanics::Problem;
 use sinew::mechanics::{Certificate, Certifier, Condition, ConditionKind};
@@ -26,7 +26,7 @@ const LOAD_CELL: &str = include_str!("../assets/scenes/load-cell.toml");
 const BODY: &str = include_str!("../assets/scenes/body-contact.toml");
 
 /// A problem with its equilibrium, which is certified.
-fn solved(scene: &Scene) -> (Problem, Solution) {
+fn solved(scene: &Scene) -> (Problem, Solved) {
     let problem = Problem::new(scene).unwrap();
     let solution = solve(&problem, Start::Straight, Settings::default());
     assert_eq!(solution.status, Status::Converged);

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rolled_out::at;
 use sinew::contact::Contact;
 use sinew::contact::RowKind;
-use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Settings, Solution, Solved, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle};
 use sinew::mechanics::{Certifier, Condition, Problem};
 use sinew::scene::Scene;
@@ -112,7 +112,7 @@ fn edge(holds: impl Fn(f64) -> bool) -> f64 {
 }
 
 /// A solution of a scene at a pull, in millimetres.
-fn solved(text: &str, pull_mm: f64, edit: impl Fn(&mut Scene)) -> (Problem, Solution) {
+fn solved(text: &str, pull_mm: f64, edit: impl Fn(&mut Scene)) -> (Problem, Solved) {
     let mut scene = Scene::from_toml(text).unwrap();
     scene.actuation.pull_mm = pull_mm;
     edit(&mut scene);

@@ -1,11 +1,11 @@
 //! Known answers: the free robot is a circular arc; the figures of the paper's
 //! robot; the limits of no pull and of a cable let out.
 
-use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Settings, Solved, Start, Status, solve};
 use sinew::mechanics::Problem;
 use sinew::scene::Scene;
 
-fn free(length_mm: f64, segments: u32, offset_mm: f64, pull_mm: f64) -> Solution {
+fn free(length_mm: f64, segments: u32, offset_mm: f64, pull_mm: f64) -> Solved {
     let mut scene = Scene::default();
     scene.robot.length_mm = length_mm;
     scene.robot.segments = segments;

@@ -12,7 +12,7 @@
 mod seeded;
 
 use seeded::{Random, scenes};
-use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Settings, Solution, Solved, Start, Status, solve};
 use sinew::geometry::Vector;
 use sinew::mechanics::Problem;
 use sinew::robot::Line;
@@ -35,7 +35,7 @@ fn robot(pull_mm: f64, candidates: Candidates, shape: Shape) -> Scene {
     scene
 }
 
-fn solved(scene: &Scene) -> Solution {
+fn solved(scene: &Scene) -> Solved {
     let problem = Problem::new(scene).unwrap();
     solve(&problem, Start::Straight, Settings::default())
 }

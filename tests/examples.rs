@@ -7,7 +7,9 @@ use std::path::Path;
 
 use sinew::app::examples::{EXAMPLES, Example, Group};
 use sinew::contact::Class;
-use sinew::equilibrium::{Event, Occurrence, Run, Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{
+    Event, Occurrence, Run, Settings, Solution, Solved, Start, Status, solve,
+};
 use sinew::forces::{Rates, Sweep, VirtualWork, Window};
 use sinew::mechanics::Problem;
 use sinew::robot::Line;
@@ -23,12 +25,12 @@ fn scene(id: &str) -> Scene {
 }
 
 /// The example at its own pull.
-fn at_its_pull(id: &str) -> Solution {
+fn at_its_pull(id: &str) -> Solved {
     at(id, scene(id).actuation.pull_mm)
 }
 
 /// The example at a pull, in mm, from the straight robot; not all are reached.
-fn towards(id: &str, pull_mm: f64) -> Solution {
+fn towards(id: &str, pull_mm: f64) -> Solved {
     let mut problem = Problem::new(&scene(id)).unwrap();
     problem.set_pull(metres(pull_mm));
     solve(&problem, Start::Straight, Settings::default())
@@ -36,7 +38,7 @@ fn towards(id: &str, pull_mm: f64) -> Solution {
 
 /// The certified shape at a pull, in mm.
 #[track_caller]
-fn at(id: &str, pull_mm: f64) -> Solution {
+fn at(id: &str, pull_mm: f64) -> Solved {
     let solution = towards(id, pull_mm);
     assert_eq!(solution.status, Status::Converged, "{id} at {pull_mm} mm");
     assert!(solution.certificate.holds(), "{id} at {pull_mm} mm");
@@ -327,8 +329,8 @@ fn sixty_segments_lean_on_three_shapes_at_once() {
         let words: BTreeSet<_> = obstacles.iter().map(|o| o.shape.word()).collect();
         assert_eq!(words.len(), 5, "{id}");
     }
-    let far = towards("many-segments", 13.0).events;
-    let met = far.iter().filter_map(|event| match event.what {
+    let far = towards("many-segments", 13.0);
+    let met = far.events.iter().filter_map(|event| match event.what {
         Occurrence::ContactMade { obstacle, .. } => Some(obstacle),
         _ => None,
     });

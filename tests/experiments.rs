@@ -67,7 +67,7 @@ fn every_item_says_something_and_nothing_is_invented() {
             assert_eq!(both, compared, "{id:?}: {check:?}");
         }
         for picture in &item.pictures {
-            assert!(picture.solution.certificate.holds(), "{id:?}");
+            assert!(picture.solved.certificate.holds(), "{id:?}");
         }
         assert_eq!(Id::of_word(id.word()), Some(id));
         assert_eq!(Id::of_word(id.name()), Some(id));

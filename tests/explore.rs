@@ -1,7 +1,7 @@
 //! The robot along its whole pull: closed forms, the other ways to the same
 //! numbers, and what has to hold of jumps, ends and slices.
 
-use sinew::equilibrium::{Occurrence, Progress, Run, Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Occurrence, Progress, Run, Settings, Solved, Start, Status, solve};
 use sinew::explore::{LoadCurve, Path, PathRun};
 use sinew::forces::{Loading, Stiffness, Sweep};
 use sinew::geometry::Vector;
@@ -33,7 +33,7 @@ fn slippery() -> Problem {
     with_post([44.0, 170.0], 8.0)
 }
 
-fn solved(problem: &Problem, pull: f64) -> Solution {
+fn solved(problem: &Problem, pull: f64) -> Solved {
     let mut there = problem.clone();
     there.set_pull(pull);
     solve(&there, Start::Straight, Settings::default())

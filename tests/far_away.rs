@@ -2,7 +2,7 @@
 //! robot far away has the same shape, and one that only touches a wall is told
 //! so wherever it stands.
 
-use sinew::equilibrium::{Occurrence, Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Occurrence, Settings, Solution, Solved, Start, Status, solve};
 use sinew::geometry::Vector;
 use sinew::mechanics::Problem;
 use sinew::scene::{Candidates, Scene, Shape};
@@ -18,7 +18,7 @@ fn moved(scene: &Scene, by: [f64; 2]) -> Scene {
     scene
 }
 
-fn solved(scene: &Scene) -> Solution {
+fn solved(scene: &Scene) -> Solved {
     let problem = Problem::new(scene).unwrap();
     solve(&problem, Start::Straight, Settings::default())
 }
@@ -127,11 +127,7 @@ fn a_run_that_goes_on_far_away_tells_its_problem_in_the_world() {
     assert_eq!(run.problem().robot().base, goal.robot().base);
     check_same(&solved(&scene), run.solution(), 1e300);
     // From an earlier solution, and after the base was moved.
-    let again = solve(
-        &goal,
-        Start::From(run.problem(), run.solution()),
-        Settings::default(),
-    );
+    let again = solve(&goal, Start::From(&run.solved()), Settings::default());
     assert_eq!(again.status, Status::Converged);
     let refused = |event: &sinew::equilibrium::Event| event.what == Occurrence::StartRefused;
     assert!(!again.events.iter().any(refused));

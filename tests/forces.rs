@@ -2,7 +2,7 @@
 //! balance of the whole robot; the virtual-work estimator against its equations.
 
 use sinew::contact::Class;
-use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Settings, Solved, Start, Status, solve};
 use sinew::forces::{
     Caveat, FitError, LineFit, Loaded, Loading, Profile, Rates, Sections, Statics, Stiffness,
     Sweep, SweepError, VirtualWork, VirtualWorkError, Window, share_of_tension,
@@ -29,7 +29,7 @@ fn at(problem: &Problem, pull_mm: f64) -> Problem {
 }
 
 #[track_caller]
-fn solved(problem: &Problem) -> Solution {
+fn solved(problem: &Problem) -> Solved {
     let solution = solve(problem, Start::Straight, Settings::default());
     assert_eq!(solution.status, Status::Converged);
     assert!(solution.certificate.holds());
@@ -66,7 +66,7 @@ fn the_free_robots_tension_is_that_of_the_arc() {
     for pull_mm in [0.01, 1.0, 5.0, 10.0, 30.0] {
         let problem = at(&free, pull_mm);
         let solution = solved(&problem);
-        let statics = Statics::of(&problem, &solution, stiffness());
+        let statics = Statics::of(&solution, stiffness());
         // J = n β*², β* = 2 asin(l/2an), so dJ/dl = 2β*/(a cos(β*/2)).
         let (a, n) = (0.008, 18.0);
         let bend: f64 = 2.0 * (metres(pull_mm) / (2.0 * a * n)).asin();
@@ -86,7 +86,7 @@ fn forces_and_moments_of_the_whole_robot_balance() {
         for pull_mm in [0.3, 3.0, 4.9, 6.0, 8.0] {
             let problem = at(&problem(name), pull_mm);
             let solution = solved(&problem);
-            let statics = Statics::of(&problem, &solution, stiffness());
+            let statics = Statics::of(&solution, stiffness());
             assert!(
                 statics.balances(),
                 "{name} at {pull_mm}: {:e}, {:e}",
@@ -102,7 +102,7 @@ fn sections_find_the_tension_that_the_certificate_finds() {
     for name in SCENES {
         let problem = at(&problem(name), 6.0);
         let solution = solved(&problem);
-        let sections = Sections::of(&problem, &solution, 1.0);
+        let sections = Sections::of(&solution, 1.0);
         close(
             sections.mean_tension(),
             solution.certificate.energy_slope,
@@ -114,9 +114,10 @@ fn sections_find_the_tension_that_the_certificate_finds() {
 #[test]
 fn a_shape_that_is_no_equilibrium_does_not_balance() {
     let problem = problem("one-disc");
-    let mut solution = solved(&problem);
+    let mut solution = solved(&problem).into_solution();
     solution.contacts[0].multiplier *= 1.01;
-    let statics = Statics::of(&problem, &solution, stiffness());
+    let solution = Solved::pair(problem, solution).unwrap();
+    let statics = Statics::of(&solution, stiffness());
     assert!(!statics.balances());
 }
 
@@ -134,7 +135,7 @@ fn tension_is_the_energys_slope_in_the_pull() {
         let energy = |pull_mm| strain_energy(&at(&problem, pull_mm));
         let slope = (energy(pull_mm + step) - energy(pull_mm - step)) / metres(2.0 * step);
         let there = at(&problem, pull_mm);
-        let statics = Statics::of(&there, &solved(&there), stiffness());
+        let statics = Statics::of(&solved(&there), stiffness());
         close(statics.tension, slope, 1e-5);
     }
 }
@@ -153,7 +154,7 @@ fn a_contact_force_is_the_energys_slope_in_the_obstacles_advance() {
         strain_energy(&moved)
     };
     let slope = (energy(step) - energy(-step)) / (2.0 * step);
-    let statics = Statics::of(&there, &solution, stiffness());
+    let statics = Statics::of(&solution, stiffness());
     // The first-order change is the advance along the normal; a round post
     // that slides has curvature in the second order only.
     close(statics.contacts[0].normal_force, slope, 1e-4);
@@ -172,7 +173,7 @@ fn a_turned_robot_has_turned_forces() {
     };
     let of = |scene: &Scene| {
         let problem = Problem::new(scene).unwrap();
-        Statics::of(&problem, &solved(&problem), stiffness())
+        Statics::of(&solved(&problem), stiffness())
     };
     let (here, there) = (of(&straight), of(&turned));
     close(there.tension, here.tension, 1e-9);
@@ -189,7 +190,7 @@ fn the_ratio_of_force_to_tension_needs_no_stiffness() {
     let problem = problem("two-discs");
     let solution = solved(&problem);
     for value in [1e-3, 1.0] {
-        let statics = Statics::of(&problem, &solution, Stiffness::new(value).unwrap());
+        let statics = Statics::of(&solution, Stiffness::new(value).unwrap());
         for force in &statics.contacts {
             let ratio = share_of_tension(&solution, &force.contact).unwrap();
             close(force.normal_force / statics.tension, ratio, 1e-12);
@@ -220,16 +221,16 @@ fn a_stiffness_comes_from_a_number_a_section_or_a_weighed_pull() {
     let there = problem("free");
     let solution = solved(&there);
     let load = newtons(350.0);
-    let calibrated = Stiffness::calibrated(&there, &solution, load).unwrap();
-    let tension = Statics::of(&there, &solution, calibrated).tension;
+    let calibrated = Stiffness::calibrated(&solution, load).unwrap();
+    let tension = Statics::of(&solution, calibrated).tension;
     close(grams(tension), 350.0, 1e-12);
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(Stiffness::new(wrong).is_err());
-        assert!(Stiffness::calibrated(&there, &solution, wrong).is_err());
+        assert!(Stiffness::calibrated(&solution, wrong).is_err());
     }
     let straight = at(&there, 0.0);
     let still = solved(&straight);
-    assert!(Stiffness::calibrated(&straight, &still, load).is_err());
+    assert!(Stiffness::calibrated(&still, load).is_err());
 }
 
 #[test]
@@ -397,7 +398,7 @@ fn the_whole_body_balances_wherever_it_touches() {
         scene.actuation.pull_mm = pull_mm;
         let problem = Problem::new(&scene).unwrap();
         let solution = solved(&problem);
-        let statics = Statics::of(&problem, &solution, stiffness());
+        let statics = Statics::of(&solution, stiffness());
         assert!(statics.balances(), "{statics:?}");
     }
 }
@@ -411,7 +412,7 @@ fn loads_count_from_contact_and_are_met() {
     let solution = solved(&begins);
     close(
         loading.datum,
-        Statics::of(&begins, &solution, stiffness()).tension,
+        Statics::of(&solution, stiffness()).tension,
         1e-9,
     );
     // Contact only just begins there, at the pull known from the scene file.

@@ -49,7 +49,7 @@ fn known_scenes_take_known_iterations() {
 fn a_solution_is_its_own_start() {
     let goal = problem(TWO_DISCS, 5.0);
     let known = solve(&goal, Start::Straight, Settings::default());
-    let again = solve(&goal, Start::From(&goal, &known), Settings::default());
+    let again = solve(&goal, Start::From(&known), Settings::default());
     assert_eq!(again.turns, known.turns);
     assert!(
         again.events.is_empty() && again.iterations <= 2,

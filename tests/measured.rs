@@ -1,6 +1,6 @@
 //! Measured shapes against ones whose pull is known, and those that are refused.
 
-use sinew::equilibrium::{Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Settings, Solved, Start, Status, solve};
 use sinew::experiments::{Measured, MeasuredFault, MeasuredPoint, PaperScene, best_pull, compare};
 use sinew::geometry::Vector;
 use sinew::mechanics::Problem;
@@ -40,7 +40,7 @@ fn points_of(problem: &Problem, pull_mm: f64, by_node: bool) -> Vec<MeasuredPoin
         .collect()
 }
 
-fn solved(problem: &Problem, pull_mm: f64) -> Solution {
+fn solved(problem: &Problem, pull_mm: f64) -> Solved {
     let mut problem = problem.clone();
     problem.set_pull(metres(pull_mm));
     let solution = solve(&problem, Start::Straight, Settings::default());
@@ -82,7 +82,7 @@ fn the_pull_of_a_shape_is_found_from_its_points() {
     for pull_mm in [0.0, 0.4, 7.3, 23.0, 49.0, 55.3, 120.0, -5.0, -60.1] {
         for by_node in [true, false] {
             let measured = Measured::new(points_at(pull_mm, 0.0, by_node), &free()).unwrap();
-            let (_, solution, fit) = best_pull(&free(), &measured, |_| {}).unwrap();
+            let (solution, fit) = best_pull(&free(), &measured, |_| {}).unwrap();
             near(millimetres(solution.pull), pull_mm, 1e-5);
             assert!(fit.rms < 1e-8, "{pull_mm}: {}", fit.rms);
         }
@@ -100,7 +100,7 @@ fn the_best_pull_is_the_best_of_the_whole_branch() {
         for by_node in [true, false] {
             let points = points_of(&wedge, pull_mm, by_node);
             let measured = Measured::new(points, &wedge).unwrap();
-            let (_, _, fit) = best_pull(&wedge, &measured, |_| {}).unwrap();
+            let (_, fit) = best_pull(&wedge, &measured, |_| {}).unwrap();
             near(millimetres(fit.pull), pull_mm, 1e-4);
             assert!(fit.rms < 1e-8, "{pull_mm}: {}", fit.rms);
         }
@@ -127,7 +127,7 @@ fn noise_is_no_disorder() {
         for pull_mm in [7.3, 30.0] {
             let measured = Measured::new(scan(pull_mm, apart_mm, noise_mm), &free()).unwrap();
             assert!((measured.length() / 0.18 - 1.0).abs() < 0.15);
-            let (_, _, fit) = best_pull(&free(), &measured, |_| {}).unwrap();
+            let (_, fit) = best_pull(&free(), &measured, |_| {}).unwrap();
             near(millimetres(fit.pull), pull_mm, 0.1 * noise_mm);
             // Half of a point's error is along the backbone.
             assert!(
@@ -160,7 +160,7 @@ fn few_nodes_of_a_strongly_bent_robot_are_taken() {
         let few: Vec<_> = points.iter().step_by(9).copied().collect();
         assert_eq!(few.len(), 3);
         let measured = Measured::new(few, &free()).unwrap();
-        let (_, _, fit) = best_pull(&free(), &measured, |_| {}).unwrap();
+        let (_, fit) = best_pull(&free(), &measured, |_| {}).unwrap();
         near(millimetres(fit.pull), pull_mm, 1e-4);
     }
 }
@@ -283,7 +283,7 @@ fn two_points_of_a_scene_are_compared() {
         let problem = Problem::new(&scene).unwrap();
         let held = scene.measured.as_ref().unwrap();
         let measured = Measured::of_scene(held, &problem).unwrap();
-        let (_, solution, fit) = best_pull(&problem, &measured, |_| {}).unwrap();
+        let (solution, fit) = best_pull(&problem, &measured, |_| {}).unwrap();
         near(millimetres(solution.pull), 7.3, 1e-5);
         assert!(fit.rms < 1e-8, "{}", fit.rms);
     }

@@ -297,7 +297,7 @@ fn clearances_carry_the_multipliers_of_their_own_contacts() {
     let problem = Problem::new(&Scene::from_toml(text).unwrap()).unwrap();
     let solution = solve(&problem, Start::Straight, Settings::default());
     assert_eq!(solution.contacts.len(), 2);
-    let all = solution.clearances(&problem);
+    let all = solution.clearances();
     assert_eq!(all.len(), problem.candidates().len() * 2);
     for (index, clearance) in all.iter().enumerate() {
         let pair = (clearance.candidate, clearance.obstacle);

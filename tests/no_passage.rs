@@ -2,12 +2,12 @@
 //! on their side of it, and no point of a link is inside an obstacle, sampled
 //! from outside the library's own tests for contact.
 
-use sinew::equilibrium::{Occurrence, Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Occurrence, Settings, Solution, Solved, Start, Status, solve};
 use sinew::geometry::{Vector, cross};
 use sinew::mechanics::Problem;
 use sinew::scene::{Candidates, Scene, Shape};
 
-fn body(pull_mm: f64, shape: Shape) -> Option<(Problem, Solution)> {
+fn body(pull_mm: f64, shape: Shape) -> Option<(Problem, Solved)> {
     let mut scene = Scene::default();
     scene.contact.candidates = Candidates::Body;
     scene.actuation.pull_mm = pull_mm;

@@ -3,7 +3,7 @@
 //! has got, and how finely it went.
 
 use sinew::equilibrium::{
-    EndReason, Event, Occurrence, Progress, Run, Settings, Solution, Start, Status, solve,
+    EndReason, Event, Occurrence, Progress, Run, Settings, Solution, Solved, Start, Status, solve,
 };
 use sinew::geometry::{Core, Obstacle, Vector};
 use sinew::mechanics::Problem;
@@ -37,7 +37,7 @@ fn block(x: f64, y: f64, width: f64, height: f64) -> Shape {
     }
 }
 
-fn straight(problem: &Problem) -> Solution {
+fn straight(problem: &Problem) -> Solved {
     solve(problem, Start::Straight, Settings::default())
 }
 
@@ -195,9 +195,10 @@ fn what_rounding_spoils_is_not_called_converged() {
 #[test]
 fn a_shape_of_another_robot_is_refused_as_a_start() {
     let goal = problem(5.0, &[disc(44.0, 104.0, 15.0)]);
-    let mut wrong = straight(&goal);
+    let mut wrong = straight(&goal).into_solution();
     wrong.turns[3] += 0.1;
-    let solution = solve(&goal, Start::From(&goal, &wrong), Settings::default());
+    let wrong = Solved::pair(goal.clone(), wrong).unwrap();
+    let solution = solve(&goal, Start::From(&wrong), Settings::default());
     assert_eq!(solution.status, Status::Converged);
     let first = &solution.events[0];
     assert_eq!((first.what, first.pull), (Occurrence::StartRefused, 5e-3));
@@ -359,8 +360,9 @@ fn contacts_are_told_at_the_pull_where_they_begin_and_end() {
     for event in &solution.events {
         let (low, high) = both(event);
         let presses = |pull: f64, which: usize| {
-            let contacts = at(pull).contacts;
-            contacts
+            let there = at(pull);
+            there
+                .contacts
                 .iter()
                 .any(|c| c.multiplier > 0.0 && c.node == which)
         };
@@ -435,7 +437,7 @@ fn what_only_touches_grazes_and_shares_nothing() {
     obstacles.push(post);
     let (robot, candidates) = (*before.robot(), before.candidates().to_vec());
     let beside = Problem::from_parts(robot, before.pull(), candidates, obstacles);
-    let solution = solve(&beside, Start::From(&before, &held), Settings::default());
+    let solution = solve(&beside, Start::From(&held), Settings::default());
     assert_eq!(solution.status, Status::Converged);
     let found: Vec<_> = solution
         .contacts

@@ -463,7 +463,7 @@ fn the_contacts_table_selects_and_tells_forces_where_they_are_known() {
     let with_forces = |ui: &mut eframe::egui::Ui, bench: &mut Workbench| {
         let stiffness = Stiffness::new(1e-3).unwrap();
         let solution = bench.live.solution().unwrap();
-        let forces = Statics::of(bench.live.problem(), solution, stiffness);
+        let forces = Statics::of(solution, stiffness);
         tables::contacts(ui, bench, Some(&forces));
     };
     let mut table = table(with_forces, Selection::Nothing);

@@ -6,7 +6,7 @@ use egui_kittest::kittest::Queryable;
 use sinew::app::plots::{self, Link, Plot, PlotAction, PlotCache, PlotData};
 use sinew::app::{Hovered, look};
 use sinew::contact::Class;
-use sinew::equilibrium::{Settings, Solution, Start, solve};
+use sinew::equilibrium::{Settings, Solved, Start, solve};
 use sinew::explore::{Path, PathRun};
 use sinew::forces::Window;
 use sinew::mechanics::Problem;
@@ -22,7 +22,7 @@ const BODY: &str = include_str!("../assets/scenes/body-contact.toml");
 struct Bench {
     scene: Scene,
     problem: Problem,
-    solution: Solution,
+    solution: Solved,
     path: Option<Path>,
     link: Link,
     cache: PlotCache,
@@ -64,8 +64,8 @@ impl Bench {
     fn data(&self) -> PlotData<'_> {
         PlotData {
             scene: &self.scene,
-            problem: &self.problem,
-            solution: &self.solution,
+            asked: &self.problem,
+            solved: &self.solution,
             path: self.path.as_ref(),
             window: self.link.window,
             shape_generation: 1,
@@ -252,7 +252,7 @@ fn every_plot_draws_whatever_there_is() {
             harness_of(bench.again(), [480.0, 1500.0], theme);
             bench.path = None;
             harness_of(bench.again(), [480.0, 1500.0], theme);
-            bench.solution = Solution::default();
+            bench.solution = Solved::unsolved(bench.problem.clone());
             bench.path = Some(Path::default());
             // Hardly any room.
             harness_of(bench.again(), [120.0, 400.0], theme);

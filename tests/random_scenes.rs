@@ -5,11 +5,11 @@ mod random_scene;
 
 use proptest::prelude::*;
 use random_scene::{config, scaled_scene, scene};
-use sinew::equilibrium::{Occurrence, Run, Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Occurrence, Run, Settings, Solved, Start, Status, solve};
 use sinew::mechanics::Problem;
 use sinew::scene::{Candidates, Scene};
 
-fn straight(problem: &Problem) -> Solution {
+fn straight(problem: &Problem) -> Solved {
     solve(problem, Start::Straight, Settings::default())
 }
 
@@ -101,19 +101,20 @@ proptest! {
     ) {
         if let Ok(problem) = Problem::new(&scene) {
             let right = straight(&problem);
-            let mut wrong = right.clone();
+            let mut wrong = right.solution().clone();
             for (turn, random) in wrong.turns.iter_mut().zip(&turns) {
                 *turn = *random;
             }
-            let again = solve(&problem, Start::From(&problem, &wrong), Settings::default());
+            let wrong = Solved::pair(problem.clone(), wrong).unwrap();
+            let again = solve(&problem, Start::From(&wrong), Settings::default());
             prop_assert!(again.certificate.holds());
             prop_assert_eq!(again.status.word(), right.status.word());
             for (a, b) in right.turns.iter().zip(&again.turns) {
                 prop_assert!((a - b).abs() < 1e-9);
             }
-            wrong.turns.pop();
-            let again = solve(&problem, Start::From(&problem, &wrong), Settings::default());
-            prop_assert_eq!(again.status.word(), right.status.word());
+            let mut shorter = wrong.into_solution();
+            shorter.turns.pop();
+            prop_assert!(Solved::pair(problem, shorter).is_none());
         }
     }
 

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use eframe::egui;
 use eframe::egui_wgpu::wgpu::{TextureFormat, naga};
 use offscreen::{Offscreen, Picture};
-use sinew::equilibrium::{Settings, Solution, Start, solve};
+use sinew::equilibrium::{Settings, Solved, Start, solve};
 use sinew::geometry::{Core, Obstacle, Vector};
 use sinew::mechanics::Problem;
 use sinew::render::{
@@ -28,7 +28,7 @@ const STORED: TextureFormat = TextureFormat::Rgba8Unorm;
 /// The format of windows that turn light into sRGB.
 const ENCODED: TextureFormat = TextureFormat::Rgba8UnormSrgb;
 
-fn solved(text: &str) -> (Scene, Problem, Solution) {
+fn solved(text: &str) -> (Scene, Problem, Solved) {
     let scene = Scene::from_toml(text).unwrap();
     let problem = Problem::new(&scene).unwrap();
     let solution = solve(&problem, Start::Straight, Settings::default());
@@ -231,7 +231,7 @@ fn pictures_of_the_field() {
     let screen = Offscreen::new();
     for (name, text) in [("two-discs", TWO_DISCS), ("shapes", SHAPES)] {
         let (scene, problem, solution) = solved(text);
-        let drawing = draw(&problem, &solution, &Notes::of(&scene));
+        let drawing = draw(&solution, &Notes::of(&scene));
         let frame = Frame::fitting(&drawing.bounds, window(1000.0, 900.0));
         for (theme, word) in [(Theme::Light, "light"), (Theme::Dark, "dark")] {
             let [r, g, b] = theme.palette().background.rgb;
@@ -268,8 +268,8 @@ fn solid_image(
 
 fn solids(text: &str, theme: Theme, aspect: f64) -> SolidPicture {
     let (scene, problem, solution) = solved(text);
-    let standing = draw(&problem, &solution, &Notes::of(&scene)).standing;
-    let mesh = render::mesh(&problem, &solution, theme, &standing);
+    let standing = draw(&solution, &Notes::of(&scene)).standing;
+    let mesh = render::mesh(&solution, problem.obstacles(), theme, &standing);
     SolidPicture {
         camera: Camera::fitting(&mesh.focus, aspect),
         mesh: Arc::new(mesh),
@@ -392,7 +392,7 @@ fn contacts_glow_and_grey_shapes_do_not() {
             what: "Unfinished",
             reason: String::new(),
         };
-        let mesh = render::mesh(&problem, &solution, theme, &greyed);
+        let mesh = render::mesh(&solution, problem.obstacles(), theme, &greyed);
         let grey = SolidPicture {
             mesh: Arc::new(mesh),
             ..certified

@@ -4,7 +4,7 @@
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngSeed, TestRunner};
-use sinew::equilibrium::{Occurrence, Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Occurrence, Settings, Solution, Solved, Start, Status, solve};
 use sinew::mechanics::Problem;
 use sinew::scene::{Candidates, Scene, Shape};
 
@@ -23,7 +23,7 @@ fn with_disc(pull_mm: f64, center_mm: [f64; 2], radius_mm: f64) -> Scene {
 }
 
 /// Solves with steps so many times finer than the default ones.
-fn run(problem: &Problem, finer: f64) -> Solution {
+fn run(problem: &Problem, finer: f64) -> Solved {
     let settings = Settings::default();
     let settings = Settings {
         iterations: 500_000,

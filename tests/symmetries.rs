@@ -2,7 +2,7 @@
 //! doubled obstacles, warm and cold, and the envelope theorem.
 
 use sinew::contact::Class;
-use sinew::equilibrium::{Occurrence, Run, Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{Occurrence, Run, Settings, Solution, Solved, Start, Status, solve};
 use sinew::geometry::Vector;
 use sinew::mechanics::Problem;
 use sinew::robot::Line;
@@ -16,7 +16,7 @@ fn two_discs(pull_mm: f64) -> Scene {
     scene
 }
 
-fn straight(scene: &Scene) -> Solution {
+fn straight(scene: &Scene) -> Solved {
     let problem = Problem::new(scene).unwrap();
     let solution = solve(&problem, Start::Straight, Settings::default());
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.events);

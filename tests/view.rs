@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use sinew::contact::Class;
-use sinew::equilibrium::{EndReason, Settings, Solution, Start, Status, solve};
+use sinew::equilibrium::{EndReason, Settings, Solution, Solved, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle, Vector};
 use sinew::mechanics::{Condition, Problem};
 use sinew::report::svg::{self, Size};
@@ -15,7 +15,7 @@ use sinew::robot::PlanarNode;
 use sinew::scene::Scene;
 use sinew::view::{
     Drawing, Frame, Geometry, LabelText, Notes, Path, Piece, Quantity, Spot, Standing, Theme, draw,
-    place_labels,
+    draw_on_the_way, place_labels,
 };
 
 const TWO_DISCS: &str = include_str!("../assets/scenes/two-discs.toml");
@@ -29,7 +29,7 @@ const SIZE: Size = Size {
     height: 720.0,
 };
 
-fn solved(text: &str) -> (Problem, Solution, Notes) {
+fn solved(text: &str) -> (Problem, Solved, Notes) {
     let scene = Scene::from_toml(text).unwrap();
     let problem = Problem::new(&scene).unwrap();
     let solution = solve(&problem, Start::Straight, Settings::default());
@@ -38,7 +38,7 @@ fn solved(text: &str) -> (Problem, Solution, Notes) {
 
 fn drawn(text: &str) -> Drawing {
     let (problem, solution, notes) = solved(text);
-    draw(&problem, &solution, &notes)
+    draw_on_the_way(&solution, &problem, &notes)
 }
 
 // --- Snapshots ---------------------------------------------------------
@@ -225,14 +225,15 @@ fn points(drawing: &Drawing) -> Vec<(&'static str, Vec<Vector>)> {
 fn a_mirrored_scene_has_a_mirrored_drawing() {
     for text in [TWO_DISCS, SHAPES, BODY, LOAD_CELL] {
         let (problem, solution, notes) = solved(text);
-        let mut image = solution.clone();
+        let mut image = solution.solution().clone();
         image.nodes = solution.nodes.iter().map(mirrored_node).collect();
         for contact in &mut image.contacts {
             contact.point = mirrored(contact.point);
             contact.normal = mirrored(contact.normal);
         }
-        let here = draw(&problem, &solution, &notes);
-        let there = draw(&mirrored_problem(&problem), &image, &notes);
+        let here = draw(&solution, &notes);
+        let image = Solved::pair(mirrored_problem(&problem), image).unwrap();
+        let there = draw(&image, &notes);
         // 1e-12 m is rounding of the obstacles' turned frames.
         let near = |a: Vector, b: Vector| (a - b).norm() < 1e-12;
         assert!(near(
@@ -287,7 +288,7 @@ fn steps_and_bars_are_1_2_or_5() {
             continue;
         };
         let solution = solve(&problem, Start::Direct, Settings::default());
-        let drawing = draw(&problem, &solution, &Notes::of(&scene));
+        let drawing = draw(&solution, &Notes::of(&scene));
         for length in [drawing.grid, drawing.scale_bar] {
             let digits = format!("{length:e}");
             assert!(matches!(&digits[..2], "1e" | "2e" | "5e"), "{digits}");
@@ -301,9 +302,10 @@ fn steps_and_bars_are_1_2_or_5() {
 fn what_is_not_certified_is_greyed_with_its_reason() {
     let (problem, solution, notes) = solved(TWO_DISCS);
     let check = |edit: &dyn Fn(&mut Solution), expected: &str| {
-        let mut solution = solution.clone();
+        let mut solution = solution.solution().clone();
         edit(&mut solution);
-        let drawing = draw(&problem, &solution, &notes);
+        let solution = Solved::pair(problem.clone(), solution).unwrap();
+        let drawing = draw(&solution, &notes);
         let Standing::Greyed { reason, .. } = &drawing.standing else {
             panic!("not greyed");
         };
@@ -409,10 +411,10 @@ fn pictures_are_well_formed_in_both_themes() {
 
 #[test]
 fn titles_and_names_are_escaped() {
-    let (problem, solution, mut notes) = solved(TWO_DISCS);
+    let (_, solution, mut notes) = solved(TWO_DISCS);
     notes.title = Some("a <&> \"b\" 'c' \u{1}\u{1b}]]>".to_owned());
     notes.names[0] = Some("<&>".to_owned());
-    let drawing = draw(&problem, &solution, &notes);
+    let drawing = draw(&solution, &notes);
     let texts = well_formed(&svg::render(&drawing, Theme::Light, SIZE));
     let title = "a <&> \"b\" 'c' \u{fffd}\u{fffd}]]>".to_owned();
     assert!(texts.contains(&title), "{texts:?}");
@@ -424,11 +426,12 @@ fn odd_pictures_are_still_pictures() {
     let (problem, solution, mut notes) = solved(SHAPES);
     notes.title = Some("very ".repeat(200));
     notes.tip_trace = vec![Vector::new(f64::NAN, 0.0), Vector::new(0.1, 0.1)];
-    let mut broken = solution.clone();
+    let mut broken = solution.solution().clone();
     broken.nodes[3].position.x = f64::NAN;
     broken.status = Status::NumericalFailure;
-    for solution in [solution, Solution::default(), broken] {
-        let drawing = draw(&problem, &solution, &notes);
+    let broken = Solved::pair(problem.clone(), broken).unwrap();
+    for solution in [solution, Solved::unsolved(problem), broken] {
+        let drawing = draw(&solution, &notes);
         for (width, height) in [(0.0, -1.0), (f64::NAN, f64::INFINITY), (200.0, 2000.0)] {
             well_formed(&svg::render(&drawing, Theme::Dark, Size { width, height }));
         }
@@ -437,10 +440,12 @@ fn odd_pictures_are_still_pictures() {
 
 #[test]
 fn a_grazing_contact_has_a_ring_and_no_number() {
-    let (problem, mut solution, notes) = solved(TWO_DISCS);
+    let (problem, solution, notes) = solved(TWO_DISCS);
+    let mut solution = solution.into_solution();
     solution.contacts[0].class = Class::Grazing;
     solution.contacts[0].multiplier = 0.0;
-    let drawing = draw(&problem, &solution, &notes);
+    let solution = Solved::pair(problem.clone(), solution).unwrap();
+    let drawing = draw(&solution, &notes);
     let values = drawing
         .labels
         .iter()
@@ -459,7 +464,7 @@ fn a_grazing_contact_has_a_ring_and_no_number() {
         stiffness: None,
         ..notes
     };
-    let most = draw(&problem, &solution, &unknown).most.unwrap();
+    let most = draw(&solution, &unknown).most.unwrap();
     assert_eq!(most.what, "contact multiplier");
     let expected = Quantity::significant(multiplier * 1e-3, "rad²/mm");
     assert_eq!(most.value, expected);

@@ -3,7 +3,6 @@
 
 use super::look::{Tokens, semibold, theme_of};
 use super::workbench::{Live, Workbench};
-use crate::equilibrium::Solution;
 use crate::geometry::Vector;
 use crate::render::{Camera, Mesh, mesh, solid_callback};
 use crate::view::{LabelText, Spot, Theme};
@@ -88,10 +87,9 @@ fn solids(space: &mut Space, bench: &Workbench, theme: Theme) -> Arc<Mesh> {
     {
         return Arc::clone(&built.mesh);
     }
-    let nothing = Solution::default();
-    let solution = bench.live.solution().unwrap_or(&nothing);
     let standing = &bench.live.drawing().standing;
-    let mesh = Arc::new(mesh(bench.live.problem(), solution, theme, standing));
+    let obstacles = bench.live.problem().obstacles();
+    let mesh = Arc::new(mesh(&bench.live.solved(), obstacles, theme, standing));
     space.built = Some(Built {
         revision,
         theme,

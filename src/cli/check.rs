@@ -46,7 +46,7 @@ fn cautions(scene: &Scene, problem: &Problem) -> Vec<String> {
     });
     drop(progress);
     let labels = Labels::of(scene, problem);
-    let found = Caution::all(run.problem(), run.solution());
+    let found = Caution::all(&run.solved());
     let mut sentences: Vec<String> = found.iter().map(|one| labels.caution(one)).collect();
     if run.solution().status != Status::Converged {
         let reason = run.solution().status.reason();

@@ -8,7 +8,7 @@ use super::input::{self, BadInput};
 use super::output::{csv_row, object, printable, pull_shown, reader};
 use super::progress::Progress;
 use super::{Failure, Outcome, tables};
-use crate::equilibrium::{Settings, Solution, Start, Status, solve};
+use crate::equilibrium::{Settings, Solved, Start, Status, solve};
 use crate::experiments::measured_csv::LeftOut;
 use crate::experiments::{Measured, ShapeError, ShapeFit, best_pull, compare};
 use crate::math::decimals;
@@ -36,7 +36,7 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
             (measured, LeftOut::default())
         }
     };
-    let (problem, solution, fit, how, ended) = match what.pull {
+    let (solved, fit, how, ended) = match what.pull {
         Some(_) => {
             let solution = solve(&problem, Start::Straight, Settings::default());
             let reason = match &solution.status {
@@ -61,22 +61,22 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
                 format!("{reason}; the last good state, at pull {last} mm, is compared")
             });
             let fit = compare(&solution, &measured);
-            (problem, solution, fit, how, ended)
+            (solution, fit, how, ended)
         }
         None => match best(&problem, &measured) {
-            Ok((problem, solution, fit)) => (problem, solution, fit, "best fit", None),
+            Ok((solved, fit)) => (solved, fit, "best fit", None),
             Err(ShapeError::NotReached(status)) => {
                 return Ok(Outcome::NotConverged(status.reason()));
             }
         },
     };
     if let Some(path) = &what.out {
-        let picture = chart::svg_file(&compared(&problem, &solution, &measured, &fit))
+        let picture = chart::svg_file(&compared(&solved, &measured, &fit))
             .map_err(|error| Failure::Making(error.into()))?;
         fs::write(path, picture).map_err(|error| super::draw::named(path, &error))?;
     }
     let title = printable(scene.title.as_deref().unwrap_or("Untitled scene"));
-    let found = Fit::of(title, how, &problem, &measured, &fit).leaving_out(left_out.rows());
+    let found = Fit::of(title, how, solved.problem(), &measured, &fit).leaving_out(left_out.rows());
     let mut out = BufWriter::new(io::stdout().lock());
     let written = match what.format {
         Format::Text => text(&mut out, &found, &left_out),
@@ -92,10 +92,7 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
 }
 
 /// The best pull, with a bar for whoever waits.
-fn best(
-    problem: &Problem,
-    measured: &Measured,
-) -> Result<(Problem, Solution, ShapeFit), ShapeError> {
+fn best(problem: &Problem, measured: &Measured) -> Result<(Solved, ShapeFit), ShapeError> {
     let mut progress = Progress::new("fitting", RESOLUTION);
     best_pull(problem, measured, |share| {
         progress.at((share * f64::from(RESOLUTION)) as u32);

@@ -21,7 +21,7 @@ pub(super) fn run(what: &Draw) -> Result<Outcome, Failure> {
     let (scene, problem) = input::problem(&what.scene, what.pull)?;
     let mut run = Run::new(&problem, Start::Straight, Settings::default());
     finish(&mut run, |_| {});
-    let drawing = view::draw(run.problem(), run.solution(), &Notes::of(&scene));
+    let drawing = view::draw(&run.solved(), &Notes::of(&scene));
     let picture = render(&drawing, format, what.theme)?;
     match format {
         Format::StandardOutput => {

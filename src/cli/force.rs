@@ -234,10 +234,10 @@ fn stiffness(what: &Force, scene: &Scene, problem: &Problem) -> Result<Known, Ba
         there.set_pull(pull);
         let solution = solve(&there, Start::Straight, Settings::default());
         if solution.status != Status::Converged {
-            let (pull, status) = (solution.pull, solution.status);
+            let (pull, status) = (solution.pull, solution.status.clone());
             return Ok(Err(SweepError::NotReached { pull, status }));
         }
-        let made = Stiffness::calibrated(&there, &solution, newtons(load_g));
+        let made = Stiffness::calibrated(&solution, newtons(load_g));
         (made, "--weighed")
     } else {
         let held = Stiffness::of_scene(scene).map_err(wrong)?;

@@ -102,7 +102,7 @@ fn robot(one: &Picture) -> String {
         names: one.names.clone(),
         ..Notes::default()
     };
-    let drawing = draw(&one.problem, &one.solution, &notes);
+    let drawing = draw(&one.solved, &notes);
     svg::render_adaptive(&drawing, svg::Size::suiting(&drawing))
 }
 

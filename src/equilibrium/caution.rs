@@ -5,10 +5,9 @@
 mod coil;
 mod crossing;
 
-use super::solution::Solution;
+use super::solved::Solved;
 use crate::geometry::Vector;
 use crate::math::decimals;
-use crate::mechanics::Problem;
 use crate::robot::Line;
 use crate::units::millimetres;
 use serde::{Deserialize, Serialize};
@@ -52,16 +51,16 @@ pub enum Caution {
 }
 
 impl Caution {
-    /// All cautions about a solution of a problem: by obstacle, then those of
-    /// the robot as a whole. None of a solution without a shape.
-    pub fn all(problem: &Problem, solution: &Solution) -> Vec<Caution> {
-        let robot = problem.robot();
-        if solution.nodes.len() != robot.segments + 1 {
+    /// All cautions about a solution: by obstacle, then those of the robot as a
+    /// whole. None of a solution without a shape.
+    pub fn all(solved: &Solved) -> Vec<Caution> {
+        let problem = solved.problem();
+        if solved.nodes.is_empty() {
             return Vec::new();
         }
-        let mut cautions = crossing::find(problem, &solution.nodes);
-        cautions.extend(coil::find(problem, &solution.nodes));
-        if solution.energy_slope() * robot.offset < -NO_SLOPE {
+        let mut cautions = crossing::find(problem, &solved.nodes);
+        cautions.extend(coil::find(problem, &solved.nodes));
+        if solved.energy_slope() * problem.robot().offset < -NO_SLOPE {
             cautions.push(Caution::CablePushes);
         }
         cautions

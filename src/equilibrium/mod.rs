@@ -18,6 +18,7 @@ mod caution;
 mod event;
 mod run;
 mod solution;
+mod solved;
 mod split;
 mod status;
 
@@ -25,4 +26,5 @@ pub use caution::Caution;
 pub use event::{Event, Occurrence};
 pub use run::{Progress, Run, Settings, Start, solve};
 pub use solution::Solution;
+pub use solved::Solved;
 pub use status::{Conflict, EndReason, Status};

@@ -26,6 +26,7 @@ pub use settings::Settings;
 
 use super::event::{Event, Occurrence};
 use super::solution::Solution;
+use super::solved::Solved;
 use super::status::{EndReason, Status};
 use crate::geometry::Vector;
 use crate::mechanics::Problem;
@@ -44,9 +45,9 @@ pub enum Start<'a> {
     /// The straight robot without pull, with obstacles over it grown from
     /// nothing: the paper's way, and the definition of the physical answer.
     Straight,
-    /// An earlier problem with its solution. One that is not an equilibrium
-    /// costs time and leads to [`Occurrence::StartRefused`].
-    From(&'a Problem, &'a Solution),
+    /// An earlier solution. One that is not an equilibrium costs time and leads
+    /// to [`Occurrence::StartRefused`].
+    From(&'a Solved),
     /// One solve at the goal from the free shape, with no care for the way:
     /// quick, but where obstacles interfere perhaps on another branch.
     Direct,
@@ -158,10 +159,11 @@ pub struct Run {
 }
 
 /// Solves a problem: a run from `start` to its end.
-pub fn solve(problem: &Problem, start: Start<'_>, settings: Settings) -> Solution {
+pub fn solve(problem: &Problem, start: Start<'_>, settings: Settings) -> Solved {
     let mut run = Run::new(problem, start, settings);
     run.finish();
-    run.into_solution()
+    let of = run.solved_problem(problem);
+    Solved::own(of, run.solution)
 }
 
 impl Run {
@@ -201,7 +203,7 @@ impl Run {
         };
         match start {
             Start::Straight => run.start_straight(),
-            Start::From(problem, solution) => run.start_from(problem, solution),
+            Start::From(known) => run.start_from(known.problem(), known.solution()),
             Start::Direct => run.start_direct(),
         }
         run
@@ -270,9 +272,23 @@ impl Run {
         &self.solution
     }
 
-    /// The result, without a copy.
-    pub fn into_solution(self) -> Solution {
-        self.solution
+    /// The result with the problem that it is one of: [`Run::problem`].
+    pub fn solved(&self) -> Solved {
+        Solved::own(self.problem().clone(), self.solution.clone())
+    }
+
+    /// The result with the problem that it is one of: the goal, as it was given,
+    /// where the obstacles have come to their places. Unlike [`Run::problem`]
+    /// it has what the run does not follow, changes of what cannot touch.
+    pub fn solved_for(&self, goal: &Problem) -> Solved {
+        Solved::own(self.solved_problem(goal), self.solution.clone())
+    }
+
+    fn solved_problem(&self, goal: &Problem) -> Problem {
+        let placed = self.obstacles_are_placed();
+        let mut of = if placed { goal } else { self.problem() }.clone();
+        of.set_pull(self.solution.pull);
+        of
     }
 
     /// The problem that [`Run::solution`] is a solution of: the goal, or the

@@ -3,7 +3,7 @@
 use super::event::Event;
 use super::split::independent;
 use super::status::Status;
-use crate::contact::{Class, Clearance, Contact, Multipliers, RowKind};
+use crate::contact::{Class, Contact, Multipliers, RowKind};
 use crate::geometry::Vector;
 use crate::mechanics::{Certificate, Certifier, Problem};
 use crate::robot::PlanarNode;
@@ -83,12 +83,6 @@ impl Solution {
     /// The tip: the last node.
     pub fn tip(&self) -> PlanarNode {
         self.nodes[self.nodes.len() - 1]
-    }
-
-    /// The clearance and multiplier of every candidate from every obstacle, by
-    /// candidate; an edge whose inside faces no vertex has none.
-    pub fn clearances(&self, problem: &Problem) -> Vec<Clearance> {
-        problem.around().clearances(&self.nodes, &self.contacts)
     }
 
     /// dJ*/dl, in rad²/m: how the least energy rises with the pull, whose product

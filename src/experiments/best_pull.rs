@@ -17,9 +17,11 @@
 
 use super::shape_fit::rms_up_to;
 use super::{Measured, ShapeFit, compare};
-use crate::equilibrium::{Progress, Run, Settings, Solution, Start, Status};
+use crate::contact::Contact;
+use crate::equilibrium::{Progress, Run, Settings, Solution, Solved, Start, Status};
 use crate::geometry::Vector;
 use crate::mechanics::Problem;
+use crate::robot::PlanarNode;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::rc::Rc;
@@ -61,9 +63,9 @@ const STEPPING: f64 = 0.8;
 /// Iterations between two looks at how far a search is that nobody interrupts.
 const SLICE: usize = 1024;
 
-/// The pull whose shape has the least RMS distance from a measured one, with
-/// that shape. The search tells `progress` what share of it is done, from 0 to
-/// 1, after each solve.
+/// The robot at the pull whose shape has the least RMS distance from a measured
+/// one, with its distances. The search tells `progress` what share of it is
+/// done, from 0 to 1, after each solve.
 ///
 /// # Errors
 /// If the robot cannot be solved for at all.
@@ -71,7 +73,7 @@ pub fn best_pull(
     problem: &Problem,
     measured: &Measured,
     mut progress: impl FnMut(f64),
-) -> Result<(Problem, Solution, ShapeFit), ShapeError> {
+) -> Result<(Solved, ShapeFit), ShapeError> {
     let mut search = PullSearch::new(problem.clone(), measured.clone());
     let mut told = None;
     loop {
@@ -92,7 +94,7 @@ pub struct PullSearch {
     problem: Problem,
     measured: Measured,
     phase: Phase,
-    best: Option<Rc<Place>>,
+    best: Option<Best>,
     /// Pieces that may hold something better than the best.
     open: Vec<Piece>,
     /// Halvings begun.
@@ -150,11 +152,45 @@ impl Walk {
     }
 }
 
-/// A shape of the branch.
+/// A shape of the branch: of its solution no more than is compared with others
+/// and than a run starts from, for thousands may be open.
 #[derive(Debug)]
 struct Place {
-    solution: Solution,
+    pull: f64,
+    nodes: Vec<PlanarNode>,
+    turns: Vec<f64>,
+    contacts: Vec<Contact>,
     /// Its RMS distance, in metres, or something below it that is far off.
+    rms: f64,
+}
+
+impl Place {
+    fn new(solution: &Solution, rms: f64) -> Self {
+        Self {
+            pull: solution.pull,
+            nodes: solution.nodes.clone(),
+            turns: solution.turns.clone(),
+            contacts: solution.contacts.clone(),
+            rms,
+        }
+    }
+
+    /// What a run can start from.
+    fn solved(&self, problem: &Problem) -> Option<Solved> {
+        let mut solution = Solution::default();
+        solution.pull = self.pull;
+        solution.nodes.clone_from(&self.nodes);
+        solution.turns.clone_from(&self.turns);
+        solution.contacts.clone_from(&self.contacts);
+        Solved::pair(problem.clone(), solution)
+    }
+}
+
+/// The nearest shape that is known.
+#[derive(Debug)]
+struct Best {
+    solved: Solved,
+    /// Its RMS distance, in metres.
     rms: f64,
 }
 
@@ -207,7 +243,7 @@ impl PullSearch {
             Phase::Stepping(walk) => self.step(walk),
             Phase::Halving(halving) => {
                 let (piece, run) = *halving;
-                self.split(piece, run.into_solution());
+                self.split(piece, run.solved_for(&self.problem));
                 self.share_of_halving();
                 self.halve()
             }
@@ -228,16 +264,15 @@ impl PullSearch {
     ///
     /// # Errors
     /// If the robot cannot be solved for at all.
-    pub fn finish(self) -> Result<(Problem, Solution, ShapeFit), ShapeError> {
+    pub fn finish(self) -> Result<(Solved, ShapeFit), ShapeError> {
         if let Phase::Done(Err(error)) = self.phase {
             return Err(error);
         }
         let best = self
             .best
             .ok_or(ShapeError::NotReached(Status::Unfinished))?;
-        let solution = best.solution.clone();
-        let fit = compare(&solution, &self.measured);
-        Ok((at(&self.problem, solution.pull), solution, fit))
+        let fit = compare(&best.solved, &self.measured);
+        Ok((best.solved, fit))
     }
 
     /// How far the branch is followed either way, up and down, in metres of
@@ -262,9 +297,10 @@ impl PullSearch {
         // The end of a branch is an equilibrium like any other.
         if solution.certificate.holds() {
             let far_off = self.best() + FAR_OFF * STRIDE * walk.moved;
-            let here = self.visit(solution.clone(), far_off);
+            let solved = walk.run.solved_for(&self.problem);
+            let here = self.visit(solved, far_off);
             if let Some(before) = walk.before.replace(here.clone()) {
-                let steps = (here.solution.pull - before.solution.pull).abs() / step;
+                let steps = (here.pull - before.pull).abs() / step;
                 walk.moved = self.consider(before, here, BOW, 0) / steps;
             }
         }
@@ -298,11 +334,12 @@ impl PullSearch {
             let piece = self.open.swap_remove(lowest);
             self.halvings += 1;
             self.deepest = self.deepest.max(piece.halved);
-            let (from, to) = (&piece.from.solution, &piece.to.solution);
+            let (from, to) = (&piece.from, &piece.to);
             if (to.pull - from.pull).abs() > GRAIN * self.problem.length() {
                 let middle = at(&self.problem, 0.5 * (from.pull + to.pull));
-                let near = at(&self.problem, from.pull);
-                let run = Run::new(&middle, Start::From(&near, from), Settings::default());
+                let near = from.solved(&self.problem);
+                let start = near.as_ref().map_or(Start::Straight, Start::From);
+                let run = Run::new(&middle, start, Settings::default());
                 return Phase::Halving(Box::new((piece, run)));
             }
             self.share_of_halving();
@@ -312,14 +349,14 @@ impl PullSearch {
     }
 
     /// Halves a piece at its middle's solution.
-    fn split(&mut self, piece: Piece, solution: Solution) {
-        if !solution.certificate.holds() {
+    fn split(&mut self, piece: Piece, solved: Solved) {
+        if !solved.certificate.holds() {
             return;
         }
-        let (from, to) = (&piece.from.solution, &piece.to.solution);
-        let bow = self.bow(from, &solution, to).max(BOW_OF_HALF * piece.bow);
-        let converged = solution.status == Status::Converged;
-        let middle = self.visit(solution, f64::INFINITY);
+        let [from, middle, to] = [&piece.from.nodes, &solved.nodes, &piece.to.nodes];
+        let bow = self.bow(from, middle, to).max(BOW_OF_HALF * piece.bow);
+        let converged = solved.status == Status::Converged;
+        let middle = self.visit(solved, f64::INFINITY);
         let halved = piece.halved + 1;
         self.consider(piece.from, middle.clone(), bow, halved);
         if converged {
@@ -338,11 +375,11 @@ impl PullSearch {
 
     /// A shape with its distance, which may be the best. It is not measured
     /// exactly where it is above a limit.
-    fn visit(&mut self, solution: Solution, limit: f64) -> Rc<Place> {
-        let rms = rms_up_to(&solution, &self.measured, limit);
-        let place = Rc::new(Place { solution, rms });
+    fn visit(&mut self, solved: Solved, limit: f64) -> Rc<Place> {
+        let rms = rms_up_to(&solved, &self.measured, limit);
+        let place = Rc::new(Place::new(&solved, rms));
         if self.best.is_none() || rms < self.best() {
-            self.best = Some(place.clone());
+            self.best = Some(Best { solved, rms });
             let promising = self.promising();
             self.open.retain(|piece| piece.bound < promising);
         }
@@ -363,8 +400,7 @@ impl PullSearch {
     /// how far apart its ends are. The branch bows out by at most `bow`, in
     /// metres or, for one that was not halved, over that distance.
     fn consider(&mut self, from: Rc<Place>, to: Rc<Place>, bow: f64, halved: u32) -> f64 {
-        let way =
-            |node: usize| to.solution.nodes[node].position - from.solution.nodes[node].position;
+        let way = |node: usize| to.nodes[node].position - from.nodes[node].position;
         let apart = self.size(way);
         let bow = if halved == 0 {
             bow * apart
@@ -385,10 +421,10 @@ impl PullSearch {
     }
 
     /// How far the middle of a piece is from the straight way between its ends.
-    fn bow(&self, from: &Solution, middle: &Solution, to: &Solution) -> f64 {
-        let way = |node: usize| to.nodes[node].position - from.nodes[node].position;
-        let gone = |node: usize| middle.nodes[node].position - from.nodes[node].position;
-        let nodes = 0..from.nodes.len();
+    fn bow(&self, from: &[PlanarNode], middle: &[PlanarNode], to: &[PlanarNode]) -> f64 {
+        let way = |node: usize| to[node].position - from[node].position;
+        let gone = |node: usize| middle[node].position - from[node].position;
+        let nodes = 0..from.len();
         let (along, whole) = nodes.fold((0.0, 0.0), |sums, node| {
             let way = way(node);
             (sums.0 + way.dot(&gone(node)), sums.1 + way.norm_squared())

@@ -1,8 +1,7 @@
 //! What an experiment leaves for a report: plain data with labels, no layout.
 
 use super::data::Data;
-use crate::equilibrium::Solution;
-use crate::mechanics::Problem;
+use crate::equilibrium::Solved;
 
 /// A figure or table of the paper that can be reproduced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -239,10 +238,8 @@ pub struct Picture {
     pub title: String,
     /// A word for files, unique in its item.
     pub word: &'static str,
-    /// The scene's robot and obstacles.
-    pub problem: Problem,
-    /// The shape.
-    pub solution: Solution,
+    /// The robot in its shape, and the obstacles.
+    pub solved: Solved,
     /// The obstacles' names.
     pub names: Vec<Option<String>>,
 }

@@ -123,7 +123,7 @@ fn about_friction(estimator: &VirtualWork, table: &ForceTable) -> Result<String,
 pub(super) fn figure_9() -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::LoadCell.problem()?;
     let onset = onset(&problem)?;
-    let (_, touching) = solved_at(&problem, onset)?;
+    let touching = solved_at(&problem, onset)?;
     let cell = touching
         .contacts
         .first()
@@ -166,7 +166,7 @@ pub(super) fn figure_9() -> Result<Item, ExperimentError> {
         Check::ours("Pull at which it touches", "mm", onset).decimals(3),
     ];
     let pull_mm = scene.actuation.pull_mm;
-    let (there, pressed) = solved_at(&problem, pull_mm)?;
+    let pressed = solved_at(&problem, pull_mm)?;
     Ok(Item {
         id: Id::Fig9,
         title: "The robot against the load cell",
@@ -175,7 +175,7 @@ pub(super) fn figure_9() -> Result<Item, ExperimentError> {
             .to_owned(),
         checks,
         data: Vec::new(),
-        pictures: vec![picture("robot", &scene, there, pressed)],
+        pictures: vec![picture("robot", &scene, pressed)],
         notes: vec![
             format!(
                 "The cell is said to stand 127 mm above the base; the node, 140 mm along the robot, \
@@ -205,7 +205,7 @@ fn multiplier_ratio(distance_mm: f64) -> Result<(f64, f64), ExperimentError> {
     let problem = PaperScene::load_cell_at(metres(distance_mm))?;
     let begins = onset(&problem)?;
     let at = |pull_mm: f64| -> Result<(f64, f64), ExperimentError> {
-        let (_, solution) = solved_at(&problem, pull_mm)?;
+        let solution = solved_at(&problem, pull_mm)?;
         let force = solution.contacts.iter().map(|c| c.multiplier).sum();
         Ok((force, solution.energy_slope()))
     };

@@ -2,7 +2,7 @@
 
 use super::ExperimentError;
 use super::item::Picture;
-use crate::equilibrium::{Settings, Solution, Start, Status, solve};
+use crate::equilibrium::{Settings, Solved, Start, Status, solve};
 use crate::forces::SweepError;
 use crate::mechanics::Problem;
 use crate::scene::{Scene, Shape};
@@ -57,37 +57,25 @@ impl PaperScene {
 }
 
 /// The equilibrium at a pull, in mm, from the straight robot.
-pub(super) fn solved_at(
-    problem: &Problem,
-    pull_mm: f64,
-) -> Result<(Problem, Solution), ExperimentError> {
+pub(super) fn solved_at(problem: &Problem, pull_mm: f64) -> Result<Solved, ExperimentError> {
     let mut there = problem.clone();
     there.set_pull(metres(pull_mm));
-    let solution = solve(&there, Start::Straight, Settings::default());
-    if solution.status == Status::Converged {
-        Ok((there, solution))
+    let solved = solve(&there, Start::Straight, Settings::default());
+    if solved.status == Status::Converged {
+        Ok(solved)
     } else {
-        Err(SweepError::NotReached {
-            pull: solution.pull,
-            status: solution.status,
-        }
-        .into())
+        let (pull, status) = (solved.pull, solved.status.clone());
+        Err(SweepError::NotReached { pull, status }.into())
     }
 }
 
 /// A picture of a scene at a pull.
-pub(super) fn picture(
-    word: &'static str,
-    scene: &Scene,
-    problem: Problem,
-    solution: Solution,
-) -> Picture {
-    let pull_mm = crate::units::millimetres(solution.pull);
+pub(super) fn picture(word: &'static str, scene: &Scene, solved: Solved) -> Picture {
+    let pull_mm = crate::units::millimetres(solved.pull);
     Picture {
         title: format!("At a pull of {pull_mm:.2} mm"),
         word,
         names: scene.obstacles.iter().map(|o| o.name.clone()).collect(),
-        problem,
-        solution,
+        solved,
     }
 }

@@ -6,10 +6,9 @@ use super::item::{Check, Id, Item};
 use super::scenes::{PaperScene, picture, solved_at};
 use super::window::pull_window;
 use crate::contact::Class;
-use crate::equilibrium::Solution;
+use crate::equilibrium::{Solution, Solved};
 use crate::forces::share_of_tension;
 use crate::geometry::Vector;
-use crate::mechanics::Problem;
 use crate::robot::{Line, part_name};
 use crate::scene::Scene;
 use crate::units::{millimetres, picometres};
@@ -47,14 +46,14 @@ pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
     let mut backbones = Vec::new();
     let mut worst = 0.0_f64;
     for pull_mm in [2.5, 5.0, 7.5, 10.0] {
-        let (there, solution) = solved_at(&problem, pull_mm)?;
-        worst = worst.max(off_the_arc(&there, &solution));
+        let solved = solved_at(&problem, pull_mm)?;
+        worst = worst.max(off_the_arc(&solved));
         backbones.push(Backbone {
             pull_mm,
-            points: solution.backbone().collect(),
+            points: solved.backbone().collect(),
         });
     }
-    let (there, solution) = solved_at(&problem, scene_pull_mm(&scene))?;
+    let solved = solved_at(&problem, scene_pull_mm(&scene))?;
     Ok(Item {
         id: Id::Fig3b,
         title: "Profile of the free robot",
@@ -68,7 +67,7 @@ pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
                 "Nodes of the backbone",
                 "",
                 19.0,
-                solution.nodes.len() as f64,
+                solved.nodes.len() as f64,
                 0.0,
             )
             .decimals(0),
@@ -87,7 +86,7 @@ pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
             ),
         ],
         data: vec![Data::Backbones(backbones)],
-        pictures: vec![picture("robot", &scene, there, solution)],
+        pictures: vec![picture("robot", &scene, solved)],
         notes: Vec::new(),
         missing: neither_pull_nor_photograph(scene_pull_mm(&scene)),
     })
@@ -95,13 +94,14 @@ pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
 
 /// The greatest distance of a backbone node from where the closed form has it,
 /// in metres.
-fn off_the_arc(problem: &Problem, solution: &Solution) -> f64 {
+fn off_the_arc(solved: &Solved) -> f64 {
+    let problem = solved.problem();
     let robot = problem.robot();
     let n = robot.segments as f64;
     let bend = 2.0 * libm::asin(problem.pull() / (2.0 * robot.offset * n));
     let mut at = robot.base.position;
     let mut worst = 0.0_f64;
-    for (i, node) in solution.nodes.iter().enumerate() {
+    for (i, node) in solved.nodes.iter().enumerate() {
         if i > 0 {
             // The link's direction is the mean of its two disks' normals.
             let angle = (i as f64 - 0.5) * bend;
@@ -115,7 +115,7 @@ fn off_the_arc(problem: &Problem, solution: &Solution) -> f64 {
 pub(super) fn figure_4a() -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::OneDisc.problem()?;
     let pull_mm = scene_pull_mm(&scene);
-    let (there, solution) = solved_at(&problem, pull_mm)?;
+    let solved = solved_at(&problem, pull_mm)?;
     let begins = pull_window(&problem, pull_mm, STEP_MM, |s| pressing(s).next().is_some())?
         .ok_or(ExperimentError::NoContact("the post of Fig. 4a"))?;
     let mut checks = vec![
@@ -127,7 +127,7 @@ pub(super) fn figure_4a() -> Result<Item, ExperimentError> {
         )
         .decimals(4),
     ];
-    checks.extend(contact_checks(&there, &solution));
+    checks.extend(contact_checks(&solved));
     Ok(Item {
         id: Id::Fig4a,
         title: "The robot against one post",
@@ -137,7 +137,7 @@ pub(super) fn figure_4a() -> Result<Item, ExperimentError> {
         ),
         checks,
         data: Vec::new(),
-        pictures: vec![picture("robot", &scene, there, solution)],
+        pictures: vec![picture("robot", &scene, solved)],
         notes: Vec::new(),
         missing: neither_pull_nor_photograph(pull_mm),
     })
@@ -164,8 +164,8 @@ pub(super) fn figure_4b() -> Result<Item, ExperimentError> {
         .ok_or(ExperimentError::NoContact("the posts of Fig. 4b"))?;
     let (first, last) = window.ends_mm();
     let pull_mm = scene_pull_mm(&scene);
-    let (there, solution) = solved_at(&problem, pull_mm)?;
-    let mut checks = post_checks(&there, &solution);
+    let solved = solved_at(&problem, pull_mm)?;
+    let mut checks = post_checks(&solved);
     checks.push(Check::not_given(
         "Distance from the photograph over the length",
         "%",
@@ -180,7 +180,7 @@ pub(super) fn figure_4b() -> Result<Item, ExperimentError> {
         .decimals(4),
     );
     checks.push(Check::ours("… to a pull of", "mm", last).decimals(4));
-    checks.extend(contact_checks(&there, &solution));
+    checks.extend(contact_checks(&solved));
     Ok(Item {
         id: Id::Fig4b,
         title: "The robot against two posts",
@@ -191,17 +191,18 @@ pub(super) fn figure_4b() -> Result<Item, ExperimentError> {
         ),
         checks,
         data: Vec::new(),
-        pictures: vec![picture("robot", &scene, there, solution)],
+        pictures: vec![picture("robot", &scene, solved)],
         notes: Vec::new(),
         missing: neither_pull_nor_photograph(pull_mm),
     })
 }
 
 /// Nodes and disks of Fig. 4b's and 5's two contacts, as the paper counts them.
-fn post_checks(problem: &Problem, solution: &Solution) -> Vec<Check> {
+fn post_checks(solved: &Solved) -> Vec<Check> {
+    let problem = solved.problem();
     let mut checks = Vec::new();
     for (obstacle, which, node, disk) in [(0, "lower", 11.0, 6.0), (1, "upper", 17.0, 9.0)] {
-        let of_post: Vec<_> = pressing(solution)
+        let of_post: Vec<_> = pressing(solved)
             .filter(|c| c.obstacle == obstacle)
             .collect();
         // The peak: the one that presses hardest.
@@ -228,16 +229,17 @@ fn post_checks(problem: &Problem, solution: &Solution) -> Vec<Check> {
 }
 
 /// Each contact's place, and its force over the cable's tension.
-fn contact_checks(problem: &Problem, solution: &Solution) -> Vec<Check> {
+fn contact_checks(solved: &Solved) -> Vec<Check> {
+    let problem = solved.problem();
     let mut checks = Vec::new();
-    for contact in pressing(solution) {
+    for contact in pressing(solved) {
         let part = part_name(problem.robot(), contact.line, contact.node);
         checks.push(Check::ours(
             format!("Contact at {part}: height above the base"),
             "mm",
             millimetres(contact.point.y),
         ));
-        if let Some(share) = share_of_tension(solution, contact) {
+        if let Some(share) = share_of_tension(solved, contact) {
             checks.push(
                 Check::ours(
                     format!("Contact at {part}: force over cable tension"),
@@ -254,11 +256,11 @@ fn contact_checks(problem: &Problem, solution: &Solution) -> Vec<Check> {
 pub(super) fn figure_5() -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::TwoDiscs.problem()?;
     let pull_mm = scene_pull_mm(&scene);
-    let (there, solution) = solved_at(&problem, pull_mm)?;
-    let nodes = solution.nodes.len();
+    let solved = solved_at(&problem, pull_mm)?;
+    let nodes = solved.nodes.len();
     let of_post = |name: &'static str, obstacle: usize| {
         let at = |node: usize| {
-            let here = pressing(&solution)
+            let here = pressing(&solved)
                 .filter(|c| c.obstacle == obstacle && c.node == node && c.line == Line::Cable);
             here.map(|c| c.multiplier).sum()
         };
@@ -275,7 +277,7 @@ pub(super) fn figure_5() -> Result<Item, ExperimentError> {
             "The multipliers of the inequality constraints at a pull of {pull_mm} mm. Nodes that do \
              not touch have exactly none: the active set decides, not a threshold."
         ),
-        checks: post_checks(&there, &solution),
+        checks: post_checks(&solved),
         data: vec![Data::Multipliers(posts)],
         pictures: Vec::new(),
         notes: vec![

@@ -33,7 +33,8 @@ pub fn pull_window(
     holds: impl Fn(&Solution) -> bool,
 ) -> Result<Option<PullWindow>, ExperimentError> {
     let at = |pull_mm: f64| -> Result<bool, ExperimentError> {
-        Ok(holds(&solved_at(problem, pull_mm)?.1))
+        let solved = solved_at(problem, pull_mm)?;
+        Ok(holds(&solved))
     };
     // From where it is one way to where it is the other.
     let edge = |mut one: f64, mut other: f64, wanted: bool| -> Result<f64, ExperimentError> {

@@ -8,7 +8,7 @@ use super::statics::Statics;
 use super::stiffness::Stiffness;
 use super::sweep::SweepError;
 use crate::contact::Class;
-use crate::equilibrium::{EndReason, Settings, Solution, Start, Status, solve};
+use crate::equilibrium::{EndReason, Settings, Solved, Start, Status, solve};
 use crate::mechanics::Problem;
 use std::f64::consts::TAU;
 
@@ -44,58 +44,46 @@ const STEP: f64 = 1.0 / 16.0;
 /// robot, where a tension of a hundred grams changes by less than 1e-4 g.
 const GRAIN: f64 = 1e-11;
 
-/// A pull that was solved for.
-#[derive(Clone)]
-struct State {
-    problem: Problem,
-    solution: Solution,
+fn tension(state: &Solved, per_bend: f64) -> f64 {
+    per_bend * state.energy_slope()
 }
 
-impl State {
-    fn tension(&self, per_bend: f64) -> f64 {
-        per_bend * self.solution.energy_slope()
-    }
+fn presses(state: &Solved) -> bool {
+    let mut contacts = state.contacts.iter();
+    contacts.any(|contact| contact.class == Class::Pressing)
+}
 
-    fn presses(&self) -> bool {
-        let contacts = &self.solution.contacts;
-        contacts.iter().any(|c| c.class == Class::Pressing)
+/// The state a step on along the pull, or the last one before it with the
+/// reason why there is none after that.
+fn stepped(state: &Solved) -> (Solved, Option<SweepError>) {
+    let robot = state.problem().robot();
+    let (_, most) = robot.pull_range();
+    let pull = state.pull;
+    if pull >= most {
+        // All segments are alike.
+        let (reason, segment) = (EndReason::LinkageLimit, 1);
+        let status = Status::BranchEnded { reason, segment };
+        return (state.clone(), Some(SweepError::NotReached { pull, status }));
     }
+    let there = solved(state, (pull + STEP * robot.offset).min(most));
+    let end = fault(&there);
+    match end {
+        Some(_) if !there.certificate.holds() => (state.clone(), end),
+        _ => (there, end),
+    }
+}
 
-    /// The state a step on along the pull, or the last one before it with the
-    /// reason why there is none after that.
-    fn stepped(&self) -> (State, Option<SweepError>) {
-        let robot = self.problem.robot();
-        let (_, most) = robot.pull_range();
-        let pull = self.solution.pull;
-        if pull >= most {
-            // All segments are alike.
-            let (reason, segment) = (EndReason::LinkageLimit, 1);
-            let status = Status::BranchEnded { reason, segment };
-            return (self.clone(), Some(SweepError::NotReached { pull, status }));
-        }
-        let there = self.solved((pull + STEP * robot.offset).min(most));
-        let end = there.fault();
-        match end {
-            Some(_) if !there.solution.certificate.holds() => (self.clone(), end),
-            _ => (there, end),
-        }
-    }
+/// The state at a pull near a known one, or the last one before it.
+fn solved(near: &Solved, pull: f64) -> Solved {
+    let mut problem = near.problem().clone();
+    problem.set_pull(pull);
+    solve(&problem, Start::From(near), Settings::default())
+}
 
-    /// The state at a pull near this one, or the last one before it.
-    fn solved(&self, pull: f64) -> State {
-        let mut problem = self.problem.clone();
-        problem.set_pull(pull);
-        let start = Start::From(&self.problem, &self.solution);
-        let solution = solve(&problem, start, Settings::default());
-        problem.set_pull(solution.pull);
-        State { problem, solution }
-    }
-
-    /// Why it is not the state that was asked for.
-    fn fault(&self) -> Option<SweepError> {
-        let (pull, status) = (self.solution.pull, self.solution.status.clone());
-        (status != Status::Converged).then_some(SweepError::NotReached { pull, status })
-    }
+/// Why it is not the state that was asked for.
+fn fault(state: &Solved) -> Option<SweepError> {
+    let (pull, status) = (state.pull, state.status.clone());
+    (status != Status::Converged).then_some(SweepError::NotReached { pull, status })
 }
 
 impl Loading {
@@ -110,17 +98,17 @@ impl Loading {
         let per_bend = stiffness.per_bend(problem);
         let straight = straight(problem)?;
         let touching = first_contact(&straight);
-        let contact = touching.as_ref().map(|state| state.solution.pull);
+        let contact = touching.as_ref().map(|state| state.pull);
         let mut here = touching.unwrap_or(straight);
-        let datum = contact.map_or(0.0, |_| here.tension(per_bend));
+        let datum = contact.map_or(0.0, |_| tension(&here, per_bend));
         let mut order: Vec<usize> = (0..loads.len()).collect();
         order.sort_by(|a, b| loads[*a].total_cmp(&loads[*b]));
         let mut waiting = order.into_iter().peekable();
         let mut found: Vec<(usize, Loaded)> = Vec::with_capacity(loads.len());
         let mut end = None;
         while let Some(&index) = waiting.peek() {
-            let (next, ended) = here.stepped();
-            let reached = |state: &State| state.tension(per_bend) >= datum + loads[index];
+            let (next, ended) = stepped(&here);
+            let reached = |state: &Solved| tension(state, per_bend) >= datum + loads[index];
             if !reached(&next) {
                 if ended.is_some() {
                     end = ended;
@@ -133,8 +121,8 @@ impl Loading {
             let there = edge(&here, &next, reached);
             let loaded = Loaded {
                 load: loads[index],
-                pull: there.solution.pull,
-                statics: Statics::of(&there.problem, &there.solution, stiffness),
+                pull: there.pull,
+                statics: Statics::of(&there, stiffness),
             };
             found.push((index, loaded));
             waiting.next();
@@ -149,26 +137,25 @@ impl Loading {
     }
 }
 
-fn straight(problem: &Problem) -> Result<State, SweepError> {
+fn straight(problem: &Problem) -> Result<Solved, SweepError> {
     let mut problem = problem.clone();
     problem.set_pull(0.0);
-    let solution = solve(&problem, Start::Straight, Settings::default());
-    let state = State { problem, solution };
-    state.fault().map_or(Ok(state), Err)
+    let state = solve(&problem, Start::Straight, Settings::default());
+    fault(&state).map_or(Ok(state), Err)
 }
 
 /// Where the robot begins to press, within a full turn of its branch.
-fn first_contact(straight: &State) -> Option<State> {
+fn first_contact(straight: &Solved) -> Option<Solved> {
     let mut here = straight.clone();
-    if here.presses() {
+    if presses(&here) {
         return Some(here);
     }
-    let problem = &straight.problem;
+    let problem = straight.problem();
     let turn = TAU * problem.robot().offset;
-    while !problem.obstacles().is_empty() && here.solution.pull < turn {
-        let (next, ended) = here.stepped();
-        if next.presses() {
-            return Some(edge(&here, &next, State::presses));
+    while !problem.obstacles().is_empty() && here.pull < turn {
+        let (next, ended) = stepped(&here);
+        if presses(&next) {
+            return Some(edge(&here, &next, presses));
         }
         if ended.is_some() {
             break;
@@ -180,14 +167,14 @@ fn first_contact(straight: &State) -> Option<State> {
 
 /// The first state, between one where something does not hold and one where it
 /// does, at which it does, by bisection.
-fn edge(before: &State, after: &State, holds: impl Fn(&State) -> bool) -> State {
-    let grain = GRAIN * before.problem.length();
-    let (mut low, mut high) = (before.solution.pull, after.solution.pull);
+fn edge(before: &Solved, after: &Solved, holds: impl Fn(&Solved) -> bool) -> Solved {
+    let grain = GRAIN * before.problem().length();
+    let (mut low, mut high) = (before.pull, after.pull);
     let mut found = after.clone();
     while high - low > grain {
         let middle = 0.5 * (low + high);
-        let there = before.solved(middle);
-        if there.fault().is_none() && holds(&there) {
+        let there = solved(before, middle);
+        if fault(&there).is_none() && holds(&there) {
             (high, found) = (middle, there);
         } else {
             low = middle;

@@ -22,7 +22,7 @@
 
 use super::statics::Resultant;
 use crate::contact::Contact;
-use crate::equilibrium::Solution;
+use crate::equilibrium::Solved;
 use crate::geometry::{Vector, cross, perpendicular};
 use crate::mechanics::Problem;
 use crate::robot::{Element, PlanarNode};
@@ -62,7 +62,8 @@ struct Load {
 impl Sections {
     /// The sections of a shape. `per_bend` is EI/2l_0, in N·m; with 1, forces
     /// come in rad²/m, the unit of multipliers.
-    pub fn of(problem: &Problem, solution: &Solution, per_bend: f64) -> Self {
+    pub fn of(solved: &Solved, per_bend: f64) -> Self {
+        let (problem, solution) = (solved.problem(), solved.solution());
         let nodes = &solution.nodes;
         let offset = problem.robot().offset;
         let mut loads: Vec<Load> = Vec::new();

@@ -20,9 +20,8 @@
 use super::sections::{Section, Sections};
 use super::stiffness::Stiffness;
 use crate::contact::Contact;
-use crate::equilibrium::Solution;
+use crate::equilibrium::{Solution, Solved};
 use crate::geometry::{Vector, cross};
-use crate::mechanics::Problem;
 
 /// A force and a couple: what a set of forces amounts to, about the base node.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,15 +74,15 @@ impl Statics {
     pub const BOUND: f64 = 1e-9;
 
     /// The forces on a solution's shape with this stiffness.
-    pub fn of(problem: &Problem, solution: &Solution, stiffness: Stiffness) -> Self {
-        let per_bend = stiffness.per_bend(problem);
-        let sections = Sections::of(problem, solution, per_bend);
-        let base = solution.nodes[0].position;
+    pub fn of(solved: &Solved, stiffness: Stiffness) -> Self {
+        let per_bend = stiffness.per_bend(solved.problem());
+        let sections = Sections::of(solved, per_bend);
+        let base = solved.nodes[0].position;
         let mut pressed = Resultant {
             force: Vector::zeros(),
             moment: 0.0,
         };
-        let contacts: Vec<ContactForce> = solution
+        let contacts: Vec<ContactForce> = solved
             .contacts
             .iter()
             .map(|contact| {
@@ -114,7 +113,7 @@ impl Statics {
         let moment = (pressed.moment + clamp.moment + cable.moment).abs();
         Self {
             contacts,
-            tension: per_bend * solution.energy_slope(),
+            tension: per_bend * solved.energy_slope(),
             pressed,
             clamp,
             cable,

@@ -2,7 +2,7 @@
 //! model does without it and never states one.
 
 use super::told;
-use crate::equilibrium::Solution;
+use crate::equilibrium::Solved;
 use crate::mechanics::Problem;
 use crate::scene::Scene;
 use crate::units::{grams, millimetres, newton_square_metres, newton_square_millimetres};
@@ -106,19 +106,15 @@ impl Stiffness {
     /// # Errors
     /// If the load is not positive, or the shape's energy does not rise with
     /// the pull.
-    pub fn calibrated(
-        problem: &Problem,
-        solution: &Solution,
-        load: f64,
-    ) -> Result<Self, StiffnessError> {
+    pub fn calibrated(solved: &Solved, load: f64) -> Result<Self, StiffnessError> {
         if !(load > 0.0 && load.is_finite()) {
             return Err(StiffnessError::NoLoad(load));
         }
-        let slope = solution.energy_slope();
+        let slope = solved.energy_slope();
         if !(slope > 0.0 && slope.is_finite()) {
-            return Err(StiffnessError::NoPull(solution.pull));
+            return Err(StiffnessError::NoPull(solved.pull));
         }
-        Self::new(2.0 * problem.robot().segment_length() * load / slope)
+        Self::new(2.0 * solved.problem().robot().segment_length() * load / slope)
     }
 
     /// EI, in N·m².

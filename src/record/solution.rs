@@ -174,10 +174,10 @@ impl Solution {
     /// `None` where one of its numbers is not finite, which only a failed solve
     /// can lead to.
     pub fn of(run: &Run, stiffness: Option<Stiffness>) -> Option<Self> {
-        let (problem, solution) = (run.problem(), run.solution());
-        let offset = problem.robot().offset;
+        let solved = &run.solved();
+        let (problem, solution) = (solved.problem(), solved.solution());
         let slope = solution.energy_slope();
-        let cautions = Finding::all(problem, solution);
+        let cautions = Finding::all(solved);
         let state = Self {
             schema: SCHEMA,
             status: solution.status.word(),
@@ -188,7 +188,7 @@ impl Solution {
             energy: solution.energy,
             tension_n: stiffness.map(|stiffness| stiffness.per_bend(problem) * slope),
             backbone_mm: solution.backbone().map(point_mm).collect(),
-            cable_mm: solution.cable(offset).map(point_mm).collect(),
+            cable_mm: solved.cable().map(point_mm).collect(),
             bends_rad: solution.bends.clone(),
             shears_rad: solution.shears.clone(),
             contacts: solution.contacts.iter().map(contact).collect(),

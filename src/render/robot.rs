@@ -6,7 +6,7 @@ use super::mesh::{Bounds3, Flat, Material, Mesh, Point, Triangles, Turned, lifte
 use super::outline::{self, Corner};
 use super::plate::{Plate, Template};
 use crate::contact::{Class, Contact};
-use crate::equilibrium::Solution;
+use crate::equilibrium::Solved;
 use crate::geometry::{Core, Obstacle, Vector};
 use crate::mechanics::Problem;
 use crate::robot::{PlanarNode, Robot};
@@ -95,8 +95,10 @@ impl Materials {
     }
 }
 
-/// The solids of a solution. One without nodes shows the obstacles alone.
-pub fn mesh(problem: &Problem, solution: &Solution, theme: Theme, standing: &Standing) -> Mesh {
+/// The solids of a solution among these obstacles, its problem's own or those
+/// that it is on its way to. One without nodes shows the obstacles alone.
+pub fn mesh(solved: &Solved, obstacles: &[Obstacle], theme: Theme, standing: &Standing) -> Mesh {
+    let (problem, solution) = (solved.problem(), solved.solution());
     let sizes = &Drawn::of(problem.robot());
     let base = problem.robot().base.position;
     let nodes = &solution.nodes[..];
@@ -116,7 +118,7 @@ pub fn mesh(problem: &Problem, solution: &Solution, theme: Theme, standing: &Sta
 
     let mut solids = Triangles::default();
     let mut shown = robot;
-    for obstacle in problem.obstacles() {
+    for obstacle in obstacles {
         let bevel = 0.006 * length;
         let area = match obstacle.core() {
             Core::HalfPlane => &near,
@@ -166,7 +168,7 @@ pub fn mesh(problem: &Problem, solution: &Solution, theme: Theme, standing: &Sta
         line.insert(0, (line[0].0 - into * ends[0], ends[0]));
         line.push((backbone[n - 1] + over * ends[1], ends[1]));
         solids.tube(&line, sizes.backbone as f32, 18, &materials.backbone);
-        let cable = solution.cable(problem.robot().offset).map(flat);
+        let cable = solved.cable().map(flat);
         let mut cable = straight(&cable.collect::<Vec<_>>());
         cable.insert(0, (cable[0].0 - into * ends[0], ends[0]));
         cable.push((cable[n].0 + over * ends[1], ends[1]));

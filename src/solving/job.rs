@@ -69,18 +69,12 @@ impl Job {
         match run.advance(SLICE) {
             Progress::Running => Work::More,
             Progress::Done => {
-                let placed = run.obstacles_are_placed();
-                // The run does not follow changes of what cannot touch.
-                let of = if placed {
-                    &request.problem
-                } else {
-                    run.problem()
-                };
+                let solved = run.solved_for(&request.problem);
                 let shape = Shape {
                     generation: request.generation,
-                    solution: run.solution().clone(),
-                    placed,
-                    cautions: Caution::all(of, run.solution()),
+                    placed: run.obstacles_are_placed(),
+                    cautions: Caution::all(&solved),
+                    solution: solved.into_solution(),
                 };
                 self.request = None;
                 Work::Found(Update::Shape(Box::new(shape)))

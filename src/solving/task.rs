@@ -65,7 +65,7 @@ impl Doing {
     /// The answer, of one that is done.
     pub fn answer(self) -> Answer {
         match self {
-            Self::BestPull(search) => Answer::BestPull(search.finish().map(|(_, _, fit)| fit)),
+            Self::BestPull(search) => Answer::BestPull(search.finish().map(|(_, fit)| fit)),
         }
     }
 }

@@ -1,23 +1,17 @@
 //! A measured backbone over the computed shape, as a chart to scale.
 
 use super::chart::{Axis, Chart, CurveStyle, Series};
-use crate::equilibrium::Solution;
+use crate::equilibrium::Solved;
 use crate::experiments::{Measured, ShapeFit};
 use crate::geometry::Vector;
 use crate::math::decimals;
-use crate::mechanics::Problem;
 use crate::units::millimetres;
 
-/// The chart of a fit: the solution's backbone and cable, in the problem's
-/// frame, and the measured points, all in mm.
-pub fn compared(
-    problem: &Problem,
-    solution: &Solution,
-    measured: &Measured,
-    fit: &ShapeFit,
-) -> Chart {
+/// The chart of a fit: the solved robot's backbone and cable, in the
+/// scene's frame, and the measured points, all in mm.
+pub fn compared(solved: &Solved, measured: &Measured, fit: &ShapeFit) -> Chart {
     let name = format!("computed, pull {} mm", decimals(millimetres(fit.pull), 2));
-    let cable = solution.cable(problem.robot().offset);
+    let cable = solved.cable();
     let points = measured.points().iter().map(|point| point.position);
     Chart {
         title: "Measured and computed backbone".to_owned(),
@@ -25,7 +19,7 @@ pub fn compared(
         x: Axis::map("x"),
         y: Axis::map("y"),
         series: vec![
-            Series::new(name, CurveStyle::Line, outline(solution.backbone())),
+            Series::new(name, CurveStyle::Line, outline(solved.backbone())),
             Series::new("cable", CurveStyle::Dashed, outline(cable)),
             Series::new("measured", CurveStyle::Dots, outline(points)),
         ],

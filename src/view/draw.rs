@@ -8,7 +8,7 @@ use super::path::{Outline, Path, clip_half_plane, hatching, outline};
 use super::quantity::{Quantity, one_two_five};
 use super::shares::Shares;
 use crate::contact::{Class, Contact};
-use crate::equilibrium::Solution;
+use crate::equilibrium::{Solution, Solved};
 use crate::forces::Stiffness;
 use crate::geometry::Vector;
 use crate::mechanics::Problem;
@@ -72,14 +72,22 @@ impl Notes {
 
 /// The picture of a solution. A solution without nodes shows the obstacles
 /// alone.
-pub fn draw(problem: &Problem, solution: &Solution, notes: &Notes) -> Drawing {
+pub fn draw(solved: &Solved, notes: &Notes) -> Drawing {
+    draw_on_the_way(solved, solved.problem(), notes)
+}
+
+/// The picture of a robot as it is known, on its way to a problem that is not
+/// solved yet or that it does not get to: the obstacles, and the pull in the
+/// caption, are that problem's.
+pub fn draw_on_the_way(solved: &Solved, to: &Problem, notes: &Notes) -> Drawing {
+    let (problem, solution) = (solved.problem(), solved.solution());
     let nodes = &solution.nodes[..];
     let sizes = &problem.robot().sizes;
     let shares = Shares::of(solution);
     let share = |contact: &Contact| shares.contact(contact);
     let most = shares.most();
     let mut marks = Vec::new();
-    for (index, obstacle) in problem.obstacles().iter().enumerate() {
+    for (index, obstacle) in to.obstacles().iter().enumerate() {
         let geometry = match outline(obstacle) {
             Outline::Closed(path) => Geometry::Path(path),
             Outline::HalfPlane { point, normal } => Geometry::HalfPlane { point, normal },
@@ -103,7 +111,7 @@ pub fn draw(problem: &Problem, solution: &Solution, notes: &Notes) -> Drawing {
             marks.push(mark(role, Geometry::Path(across), sizes.disk));
         }
     }
-    let cable = solution.cable(problem.robot().offset);
+    let cable = solved.cable();
     add_path(&mut marks, Role::Cable, cable, sizes.cable);
     add_path(
         &mut marks,
@@ -140,7 +148,7 @@ pub fn draw(problem: &Problem, solution: &Solution, notes: &Notes) -> Drawing {
         scale_bar: one_two_five((BAR[0] * size.x).min(BAR[1] * size.y)),
         labels: labels(solution, notes, &marks, (most, scale), bounds),
         most: (most > 0.0).then(|| scale.end(most)),
-        caption: caption(problem, solution, notes),
+        caption: caption(solved, to, notes),
         standing: standing(solution),
         marks,
     }
@@ -312,21 +320,22 @@ fn labels(
     labels
 }
 
-fn caption(problem: &Problem, solution: &Solution, notes: &Notes) -> Caption {
+fn caption(solved: &Solved, to: &Problem, notes: &Notes) -> Caption {
+    let solution = solved.solution();
     let mm = |value| Quantity::fixed(millimetres(value), 2, "mm");
     let mut facts = vec![Fact {
         name: "pull",
         value: mm(solution.pull),
     }];
     // To the digits shown.
-    if facts[0].value != mm(problem.pull()) {
+    if facts[0].value != mm(to.pull()) {
         facts.push(Fact {
             name: "of",
-            value: mm(problem.pull()),
+            value: mm(to.pull()),
         });
     }
     if let Some(tip) = solution.nodes.last() {
-        let turned = degrees(problem.robot().base.angle - tip.angle);
+        let turned = degrees(solved.problem().robot().base.angle - tip.angle);
         for (name, value) in [
             ("tip x", mm(tip.position.x)),
             ("y", mm(tip.position.y)),
@@ -338,7 +347,7 @@ fn caption(problem: &Problem, solution: &Solution, notes: &Notes) -> Caption {
     Caption {
         title: notes.title.clone(),
         facts,
-        note: note(problem),
+        note: note(to),
     }
 }
 

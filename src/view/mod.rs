@@ -22,7 +22,7 @@ mod theme;
 pub use bounds::Bounds;
 pub use chart::{Axis, Chart, CurveStyle, Series};
 pub use compared::compared;
-pub use draw::{Notes, draw};
+pub use draw::{Notes, draw, draw_on_the_way};
 pub use drawing::{
     Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Most, Role, Spot, Standing,
 };

@@ -9,9 +9,8 @@ use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::paint::to_screen;
 use crate::app::words;
 use crate::app::workbench::{Live, Workbench};
-use crate::equilibrium::{Solution, Status};
+use crate::equilibrium::{Solved, Status};
 use crate::geometry::Vector;
-use crate::mechanics::Problem;
 use crate::robot::Line;
 use crate::view::{Frame, Standing};
 use eframe::egui::{
@@ -162,7 +161,7 @@ pub fn rings(
     };
     let warning = Tokens::in_ui(ui).warning;
     let solution = bench.live.solution();
-    let places = solution.map(|solution| stuck_at(bench.live.problem(), solution));
+    let places = solution.map(stuck_at);
     for place in places.into_iter().flatten() {
         let at = to_screen(frame, place);
         painter.circle_stroke(at, 12.0, Stroke::new(2.0, warning));
@@ -174,7 +173,7 @@ pub fn rings(
 }
 
 /// Where the robot got stuck, in metres.
-fn stuck_at(problem: &Problem, solution: &Solution) -> Vec<Vector> {
+fn stuck_at(solution: &Solved) -> Vec<Vector> {
     let nodes = &solution.nodes;
     match &solution.status {
         Status::BranchEnded { segment, .. } => {
@@ -186,7 +185,7 @@ fn stuck_at(problem: &Problem, solution: &Solution) -> Vec<Vector> {
         }
         Status::Infeasible { conflicts } => {
             let place = |line: Line, node: usize| {
-                let candidates = problem.candidates().iter();
+                let candidates = solution.problem().candidates().iter();
                 let mut of = candidates.filter(|c| c.line == line && c.node == node);
                 let candidate = of.next().filter(|it| it.node < nodes.len())?;
                 let (a, b) = candidate.ends(nodes);
@@ -203,6 +202,7 @@ fn stuck_at(problem: &Problem, solution: &Solution) -> Vec<Vector> {
 mod tests {
     use super::*;
     use crate::equilibrium::{Settings, Start, solve};
+    use crate::mechanics::Problem;
     use crate::scene::Scene;
 
     #[test]
@@ -213,7 +213,7 @@ mod tests {
         let problem = Problem::new(&scene).unwrap();
         let solution = solve(&problem, Start::Straight, Settings::default());
         assert!(matches!(solution.status, Status::Infeasible { .. }));
-        let places = stuck_at(&problem, &solution);
+        let places = stuck_at(&solution);
         assert!(!places.is_empty());
         // Every one of them is inside a part that presses, whose disks are 3 mm
         // thick.

@@ -8,7 +8,7 @@ use crate::app::paint::to_screen;
 use crate::app::words;
 use crate::app::workbench::{Hovered, Workbench};
 use crate::contact::Contact;
-use crate::equilibrium::Solution;
+use crate::equilibrium::Solved;
 use crate::mechanics::Problem;
 use crate::robot::part_name;
 use crate::units::{METRES_PER_MM, degrees, millimetres};
@@ -25,14 +25,10 @@ pub fn paint(
     theme: Theme,
 ) {
     let tokens = Tokens::of(theme);
-    let problem = bench.live.problem();
     let Some(solution) = bench.live.solution() else {
         return;
     };
-    if solution.nodes.len() != problem.robot().segments + 1 {
-        // The shape of a robot that was just given other segments.
-        return;
-    }
+    let problem = solution.problem();
     let ring = |at, radius: f32| {
         painter.circle_stroke(at, radius + 1.5, Stroke::new(4.0, tokens.canvas));
         painter.circle(
@@ -63,7 +59,7 @@ pub fn paint(
             let ends = [node.position, node.at(offset)].map(|p| to_screen(frame, p));
             painter.line_segment(ends, Stroke::new(2.0, tokens.accent));
             ring(ends[0], 6.0);
-            node_chip(problem, solution, index).paint(painter, within, ends[0], &tokens);
+            node_chip(solution, index).paint(painter, within, ends[0], &tokens);
         }
         Hovered::Contact(index) => {
             let Some(contact) = solution.contacts.get(index) else {
@@ -92,7 +88,8 @@ fn text(words: impl Into<String>) -> Quantity {
 }
 
 /// What there is to know of a node.
-fn node_chip(problem: &Problem, solution: &Solution, index: usize) -> Chip {
+fn node_chip(solution: &Solved, index: usize) -> Chip {
+    let problem = solution.problem();
     let robot = problem.robot();
     let node = &solution.nodes[index];
     let mut title = format!("Node {index}");
@@ -107,7 +104,7 @@ fn node_chip(problem: &Problem, solution: &Solution, index: usize) -> Chip {
         rows.push(row("Bend", Quantity::fixed(degrees(*bend), 2, "°")));
     }
     let candidates = problem.candidates();
-    let clearances = solution.clearances(problem).into_iter();
+    let clearances = solution.clearances().into_iter();
     let of_node = clearances.filter(|c| candidates[c.candidate].node == index);
     if let Some(least) = of_node.map(|c| c.clearance).reduce(f64::min) {
         rows.push(row("Clearance", mm(least)));

@@ -7,7 +7,6 @@ use super::files;
 use super::platform::Errand;
 use super::plots::{Link, Plot, PlotAction, PlotCache, PlotData};
 use super::workbench::{Hovered, Playing, Selection, Workbench};
-use crate::equilibrium::Solution;
 use crate::forces::{Statics, Window};
 use crate::units::{METRES_PER_MM, millimetres};
 use eframe::egui::{
@@ -87,7 +86,7 @@ impl Forces {
         let solution = bench.live.solution().filter(|_| bench.live.is_settled());
         self.statics = stiffness
             .zip(solution)
-            .map(|(stiffness, solution)| Statics::of(bench.live.problem(), solution, stiffness));
+            .map(|(stiffness, solved)| Statics::of(solved, stiffness));
     }
 }
 
@@ -313,12 +312,11 @@ impl Behavior<Pane> for Shown<'_> {
 
 impl Shown<'_> {
     fn plot(&mut self, ui: &mut Ui, plot: Plot) {
-        let nothing = Solution::default();
         let live = &self.bench.live;
         let data = PlotData {
             scene: &self.bench.document.scene,
-            problem: live.problem(),
-            solution: live.solution().unwrap_or(&nothing),
+            asked: live.problem(),
+            solved: &live.solved(),
             path: live.path().map(|path| &**path),
             window: self.link.window,
             shape_generation: live.revision(),

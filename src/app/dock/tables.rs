@@ -155,15 +155,15 @@ fn contact(
     let Some(shape) = bench.live.shape() else {
         return;
     };
-    let Some(contact) = shape.solution.contacts.get(index) else {
+    let Some(contact) = shape.solved.contacts.get(index) else {
         return;
     };
-    let all = shape.solution.contacts.iter();
+    let all = shape.solved.contacts.iter();
     let most = all
         .map(|it| it.multiplier)
         .fold(f64::MIN_POSITIVE, f64::max);
     let part = words::capital(&part_name(
-        bench.live.problem().robot(),
+        shape.solved.problem().robot(),
         contact.line,
         contact.node,
     ));

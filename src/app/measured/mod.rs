@@ -25,7 +25,7 @@ pub fn fit(bench: &mut Workbench) -> Option<&Result<ShapeFit, MeasuredFault>> {
     let known = bench.measuring.compared.as_ref();
     if known.is_none_or(|(known, _)| *known != basis) {
         let solution = bench.live.solution()?;
-        let measured = Measured::of_scene(held, bench.live.problem());
+        let measured = Measured::of_scene(held, solution.problem());
         let fit = measured.map(|measured| compare(solution, &measured));
         bench.measuring.compared = Some((basis, fit));
     }

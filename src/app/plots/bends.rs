@@ -21,15 +21,15 @@ pub(super) fn show(
 ) -> Option<Asked> {
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
     let shape = &cache.shape;
-    let segments = data.solution.bends.len();
+    let segments = data.solved.bends.len();
     let segment = match link.hovered {
         Hovered::Node(node) => (1..=segments).contains(&node).then_some(node),
         _ => None,
     };
     let mut reading = Text::default();
     if let Some(segment) = segment {
-        let bend = degrees(data.solution.bends[segment - 1]);
-        let shear = degrees(data.solution.shears[segment - 1]);
+        let bend = degrees(data.solved.bends[segment - 1]);
+        let shear = degrees(data.solved.shears[segment - 1]);
         reading = Text::of(&format!("segment {segment}"), tokens.muted)
             .value("bend", &Quantity::fixed(bend, 2, "°"), &tokens)
             .value("shear", &Quantity::fixed(shear, 2, "°"), &tokens);
@@ -112,10 +112,8 @@ pub(super) fn show(
 
 pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {
     table.write_record(["segment", "bend_deg", "shear_deg", "free_bend_deg"])?;
-    let free = cell(degrees(
-        data.problem.robot().free_arc(data.problem.pull()).bend,
-    ));
-    let angles = data.solution.bends.iter().zip(&data.solution.shears);
+    let free = cell(degrees(data.asked.robot().free_arc(data.asked.pull()).bend));
+    let angles = data.solved.bends.iter().zip(&data.solved.shears);
     for (index, (bend, shear)) in angles.enumerate() {
         let segment = (index + 1).to_string();
         let (bend, shear) = (cell(degrees(*bend)), cell(degrees(*shear)));

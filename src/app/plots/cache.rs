@@ -177,7 +177,7 @@ impl PlotCache {
 
 impl Shape {
     fn fill(&mut self, data: &PlotData<'_>) {
-        let solution = data.solution;
+        let solution = data.solved;
         let multiplier = |contact: &crate::contact::Contact| match contact.class {
             Class::Pressing => per_millimetre(contact.multiplier),
             Class::Grazing => 0.0,
@@ -222,7 +222,7 @@ impl Shape {
         }
         steps(&mut self.bends, &solution.bends);
         steps(&mut self.shears, &solution.shears);
-        self.free_bend = degrees(data.problem.robot().free_arc(data.problem.pull()).bend);
+        self.free_bend = degrees(data.asked.robot().free_arc(data.asked.pull()).bend);
     }
 }
 
@@ -238,8 +238,8 @@ fn steps(corners: &mut Vec<PlotPoint>, angles: &[f64]) {
 
 impl AlongPull {
     fn of(path: &Path, data: &PlotData<'_>) -> Self {
-        let straight = data.problem.robot().base;
-        let tip = straight.position + data.problem.length() * straight.normal();
+        let straight = data.problem().robot().base;
+        let tip = straight.position + data.problem().length() * straight.normal();
         let over = |piece: &[crate::explore::PathState],
                     of: &dyn Fn(&crate::explore::PathState) -> f64| {
             let points = piece.iter();
@@ -263,11 +263,11 @@ impl AlongPull {
 impl Fits {
     fn of(data: &PlotData<'_>, path: Option<&Path>) -> Self {
         let window = data.window;
-        let tip = data.problem.robot().segments;
+        let tip = data.problem().robot().segments;
         let pulls = Sweep::pulls(window.first, window.last, FREE_PULLS);
         Self {
             path: path.map(|path| Rates::fit(&path.tip_sweep(tip), window)),
-            free: Some(Rates::fit(&Sweep::free(data.problem, &pulls), window)),
+            free: Some(Rates::fit(&Sweep::free(data.problem(), &pulls), window)),
         }
     }
 }
@@ -275,7 +275,7 @@ impl Fits {
 impl Forces {
     fn of(data: &PlotData<'_>, path: Option<&Path>, fits: &Fits) -> Self {
         let curve = match (path, data.stiffness()) {
-            (Some(path), Some(stiffness)) => Some(LoadCurve::of(path, data.problem, stiffness)),
+            (Some(path), Some(stiffness)) => Some(LoadCurve::of(path, data.problem(), stiffness)),
             _ => None,
         };
         let points = curve.iter().flat_map(|curve| &curve.points);
@@ -287,7 +287,7 @@ impl Forces {
                 .map(|point| PlotPoint::new(grams(point.load), grams(point.total)))
                 .collect()
         });
-        let robot = data.problem.robot();
+        let robot = data.problem().robot();
         let reading = data.calibration().map(|index| data.readings()[index]);
         let work = reading.zip(fits.free).map(|(reading, rates)| {
             let (load, force) = (newtons(reading.load_g), newtons(reading.force_g));

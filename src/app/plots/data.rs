@@ -2,7 +2,7 @@
 //! no pane and no picture.
 
 use crate::app::workbench::Hovered;
-use crate::equilibrium::Solution;
+use crate::equilibrium::Solved;
 use crate::explore::Path;
 use crate::forces::{Stiffness, Window};
 use crate::mechanics::Problem;
@@ -61,10 +61,10 @@ impl Plot {
 pub struct PlotData<'a> {
     /// The scene: names, the stiffness, readings.
     pub scene: &'a Scene,
-    /// The problem that is shown.
-    pub problem: &'a Problem,
-    /// Its solution; without nodes where there is none yet.
-    pub solution: &'a Solution,
+    /// The problem that was asked for last.
+    pub asked: &'a Problem,
+    /// The robot as it is known; without nodes where it is not yet.
+    pub solved: &'a Solved,
     /// The robot along its pull, as far as it is known.
     pub path: Option<&'a Path>,
     /// The pulls that lines are fitted on.
@@ -76,6 +76,11 @@ pub struct PlotData<'a> {
 }
 
 impl PlotData<'_> {
+    /// The problem that the robot is known for.
+    pub fn problem(&self) -> &Problem {
+        self.solved.problem()
+    }
+
     /// The stiffness, where the scene has one.
     pub fn stiffness(&self) -> Option<Stiffness> {
         Stiffness::of_scene(self.scene).ok().flatten()

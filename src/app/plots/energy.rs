@@ -76,7 +76,7 @@ pub(super) fn show(
     cursor.show(ui, &surface, &shown.response, data, link);
     // Over the cursor, so that their names can be read.
     let mark = marks::draw(&surface, &cache.along.marks, &tokens);
-    let present = millimetres(data.solution.pull);
+    let present = millimetres(data.solved.pull);
     if let Some(here) = cache.along.value(|piece| &piece.energy, present) {
         let at = surface.at(present, here);
         surface.dot(at, hue(theme, 0), &tokens);

@@ -38,11 +38,11 @@ fn by_multipliers(cache: &PlotCache, load_g: f64) -> Option<f64> {
 /// The present shape as a load and a force, in grams, where it presses.
 fn present(data: &PlotData<'_>, cache: &PlotCache) -> Option<PlotPoint> {
     let curve = cache.forces.curve.as_ref()?;
-    let per_bend = data.stiffness()?.per_bend(data.problem);
-    let contacts = data.solution.contacts.iter();
+    let per_bend = data.stiffness()?.per_bend(data.problem());
+    let contacts = data.solved.contacts.iter();
     let pressing = contacts.filter(|contact| contact.class == Class::Pressing);
     let force = per_bend * pressing.map(|contact| contact.multiplier).sum::<f64>();
-    let load = per_bend * data.solution.energy_slope() - curve.datum;
+    let load = per_bend * data.solved.energy_slope() - curve.datum;
     (curve.contact.is_some() && force > 0.0).then(|| PlotPoint::new(grams(load), grams(force)))
 }
 
@@ -255,10 +255,10 @@ fn names(ui: &Ui, surface: &Surface<'_>, data: &PlotData<'_>, cache: &PlotCache)
         && curve.obstacles.len() > 1
         && let Some(stiffness) = data.stiffness()
     {
-        let per_bend = stiffness.per_bend(data.problem);
+        let per_bend = stiffness.per_bend(data.problem());
         let mut corner = surface.frame().left_top() + vec2(8.0, 22.0);
         for index in &curve.obstacles {
-            let contacts = data.solution.contacts.iter();
+            let contacts = data.solved.contacts.iter();
             let on = contacts.filter(|contact| contact.obstacle == *index);
             let force = per_bend * on.map(|contact| contact.multiplier).sum::<f64>();
             let name = words::obstacle_of(data.scene, *index);

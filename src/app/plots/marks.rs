@@ -41,7 +41,7 @@ const NEAR: f32 = 6.0;
 
 /// The marks of a path, by pull.
 pub(super) fn of(path: &Path, data: &PlotData<'_>) -> Vec<Happening> {
-    let robot = data.problem.robot();
+    let robot = data.problem().robot();
     let obstacle = |index: usize| words::obstacle_of(data.scene, index);
     let disk = |node: usize| {
         let bay = robot.segments_per_bay;

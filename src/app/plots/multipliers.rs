@@ -67,7 +67,7 @@ pub(super) fn show(
         name: "Node, from 0 at the base",
         unit: "",
     };
-    let segments = data.problem.robot().segments as f64;
+    let segments = data.problem().robot().segments as f64;
     let top = ceiling(factor * shape.greatest);
     let height = ui.available_height();
     let plot = canvas("multipliers", height, &abscissa, &tokens, Whole::Yes)
@@ -122,10 +122,10 @@ pub(super) fn show(
 
 /// What the cursor is on, in words and numbers.
 fn reading(data: &PlotData<'_>, link: &Link, tokens: &Tokens) -> Text {
-    let robot = data.problem.robot();
+    let robot = data.problem().robot();
     match link.hovered {
         Hovered::Contact(index) => {
-            let Some(contact) = data.solution.contacts.get(index) else {
+            let Some(contact) = data.solved.contacts.get(index) else {
                 return Text::default();
             };
             let on = words::obstacle_of(data.scene, contact.obstacle);
@@ -140,7 +140,7 @@ fn reading(data: &PlotData<'_>, link: &Link, tokens: &Tokens) -> Text {
             };
             match data.stiffness() {
                 Some(stiffness) => {
-                    let force = stiffness.per_bend(data.problem) * contact.multiplier;
+                    let force = stiffness.per_bend(data.problem()) * contact.multiplier;
                     text.value("F", &Quantity::significant(grams(force), "g"), tokens)
                 }
                 None => text,
@@ -161,7 +161,7 @@ fn reading(data: &PlotData<'_>, link: &Link, tokens: &Tokens) -> Text {
 
 /// The base line with its nodes and disks, and the node that the pointer is on.
 fn nodes(surface: &Surface<'_>, data: &PlotData<'_>, link: &Link, tokens: &Tokens) {
-    let robot = data.problem.robot();
+    let robot = data.problem().robot();
     let frame = surface.frame();
     let spacing = surface.x(1.0) - surface.x(0.0);
     if let Hovered::Node(node) = link.hovered {
@@ -296,12 +296,12 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
         "normal_x",
         "normal_y",
     ])?;
-    let per_bend = data.stiffness().map(|ei| ei.per_bend(data.problem));
-    for contact in &data.solution.contacts {
+    let per_bend = data.stiffness().map(|ei| ei.per_bend(data.problem()));
+    for contact in &data.solved.contacts {
         let force = per_bend.map(|per_bend| grams(per_bend * contact.multiplier));
         table.write_record([
             contact.node.to_string(),
-            part_name(data.problem.robot(), contact.line, contact.node),
+            part_name(data.problem().robot(), contact.line, contact.node),
             contact.line.name().to_owned(),
             words::obstacle_of(data.scene, contact.obstacle),
             contact.class.word().to_owned(),
@@ -318,7 +318,7 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
 
 pub(super) fn charts(data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
     let shape = &cache.shape;
-    let nodes = data.problem.robot().segments;
+    let nodes = data.problem().robot().segments;
     let series = [
         (Side::Cable, "cable side"),
         (Side::Backbone, "backbone side"),

@@ -92,7 +92,7 @@ impl Cursor {
                 }
             }
         }
-        let x = surface.x(millimetres(data.solution.pull));
+        let x = surface.x(millimetres(data.solved.pull));
         if inside(x) {
             let width = if hand == Some(Hand::Pull) { 2.0 } else { 1.5 };
             let stroke = Stroke::new(width, tokens.accent);
@@ -141,7 +141,7 @@ impl Cursor {
         let hand = held.flatten().unwrap_or_else(|| reached(pointer));
         let pull = metres(value);
         let range = data.path.and_then(|path| path.range());
-        let (least, most) = range.unwrap_or(data.problem.robot().pull_range());
+        let (least, most) = range.unwrap_or(data.asked.robot().pull_range());
         let bounds = surface.transform.bounds();
         let gap = NARROWEST * metres(bounds.width());
         match hand {
@@ -184,6 +184,6 @@ fn knob(foot: Pos2, tokens: &Tokens) -> Shape {
 pub(super) fn read_at(data: &PlotData<'_>, link: &Link) -> f64 {
     match link.hovered {
         Hovered::Pull(pull) => pull,
-        _ => data.solution.pull,
+        _ => data.solved.pull,
     }
 }

@@ -38,8 +38,8 @@ struct Curve {
 }
 
 fn curves(data: &PlotData<'_>) -> [Curve; 3] {
-    let base = data.problem.robot().base;
-    let tip = base.position + data.problem.length() * base.normal();
+    let base = data.problem().robot().base;
+    let tip = base.position + data.problem().length() * base.normal();
     [
         Curve {
             name: "x",
@@ -115,7 +115,7 @@ pub(super) fn show(
     let name = ordinate(&displacement, &tokens);
     let range = data.path.and_then(Path::range);
     let asked = header(ui, Plot::Tip, name, reading, |ui| {
-        window(ui, link, range.unwrap_or(data.problem.robot().pull_range()));
+        window(ui, link, range.unwrap_or(data.asked.robot().pull_range()));
     });
     if !known {
         empty(ui, "The robot is being followed along its pull.", |_| {});
@@ -270,7 +270,7 @@ fn half(ui: &mut Ui, half: &Half<'_>, data: &PlotData<'_>, cache: &PlotCache, li
         knob: if on_axis { Knob::Shown } else { Knob::Hidden },
     };
     cursor.show(ui, &surface, &shown.response, data, link);
-    let pull = millimetres(data.solution.pull);
+    let pull = millimetres(data.solved.pull);
     for one in half.curves {
         if let Some(here) = cache.along.value(one.of, pull) {
             surface.dot(surface.at(pull, here), hue(theme, one.hue), &tokens);

@@ -70,7 +70,7 @@ impl Gallery {
                 return false;
             };
             if run.advance(SLICE) == Progress::Done {
-                let picture = draw(run.problem(), run.solution(), &Notes::of(&scene));
+                let picture = draw(&run.solved(), &Notes::of(&scene));
                 self.pictures.push(Picture::There(Box::new(picture)));
                 self.run = None;
             }

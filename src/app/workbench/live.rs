@@ -1,12 +1,14 @@
 //! The live solution: what was asked of the solver, what it has answered, and
 //! the drawing of it.
 
-use crate::equilibrium::{Caution, Event, Occurrence, Solution, Status};
+use crate::equilibrium::{Caution, Event, Occurrence, Solution, Solved, Status};
 use crate::explore::Path;
 use crate::geometry::Vector;
 use crate::mechanics::Problem;
 use crate::solving::{Request, Shape, StartFrom};
-use crate::view::{Drawing, Notes, draw};
+use crate::view::{Drawing, Notes, draw, draw_on_the_way};
+use std::borrow::Cow;
+use std::collections::VecDeque;
 use std::sync::Arc;
 use web_time::Duration;
 
@@ -19,12 +21,29 @@ pub struct Leap {
     pub backbone: Vec<Vector>,
 }
 
+/// A shape that the solver has answered with, and the problem it was asked for.
+#[derive(Clone, Debug)]
+pub struct Answered {
+    /// The request it answers.
+    pub generation: u64,
+    /// The solution with its problem: that of the request.
+    pub solved: Solved,
+    /// What it does not promise.
+    pub cautions: Vec<Caution>,
+}
+
+/// Requests that are kept until they, or later ones, are answered: a second's or
+/// more while something is dragged. An answer to an older one is not shown.
+const OPEN: usize = 256;
+
 /// The last of the solver's live answers.
 pub struct Live {
     /// Requests made.
     generation: u64,
     asked: Problem,
-    shape: Option<Shape>,
+    /// The problems of requests that may be answered yet, by generation.
+    open: VecDeque<(u64, Problem)>,
+    shape: Option<Answered>,
     /// How long the last answer took.
     time: Duration,
     path: Option<Arc<Path>>,
@@ -48,6 +67,7 @@ impl Live {
         Self {
             generation: 0,
             asked: problem.clone(),
+            open: VecDeque::new(),
             shape: None,
             time: Duration::ZERO,
             path: None,
@@ -55,7 +75,7 @@ impl Live {
             course: 0,
             start: 0,
             leap: None,
-            drawing: draw(problem, &Solution::default(), notes),
+            drawing: draw(&Solved::unsolved(problem.clone()), notes),
             revision: 0,
             path_revision: 0,
         }
@@ -75,6 +95,10 @@ impl Live {
             self.leap = None;
         }
         self.asked.clone_from(problem);
+        if self.open.len() == OPEN {
+            self.open.pop_front();
+        }
+        self.open.push_back((self.generation, problem.clone()));
         Request {
             generation: self.generation,
             course: self.course,
@@ -89,15 +113,33 @@ impl Live {
         // An answer to an older request shows less than what is known already,
         // and one from before the last start is of another robot.
         let newest = self.shape.as_ref().map_or(0, |known| known.generation);
-        let is_news = shape.generation > newest && shape.generation >= self.start;
-        if is_news {
-            // Of several answers in one frame each may be a leap.
-            let leap = self.leap_to(&shape.solution, newest);
-            self.leap = leap.or(self.leap.take());
-            self.shape = Some(shape);
-            self.time = time;
+        if shape.generation <= newest || shape.generation < self.start {
+            return false;
         }
-        is_news
+        let Some(answered) = self.answered(shape) else {
+            return false;
+        };
+        // Of several answers in one frame each may be a leap.
+        let leap = self.leap_to(&answered.solved, newest);
+        self.leap = leap.or(self.leap.take());
+        self.shape = Some(answered);
+        self.time = time;
+        true
+    }
+
+    /// A shape with the problem that it was asked for, by its generation:
+    /// the only place where what the solver sends is put together with what it
+    /// belongs to.
+    fn answered(&mut self, shape: Shape) -> Option<Answered> {
+        self.open
+            .retain(|(generation, _)| *generation >= shape.generation);
+        let is_its_own = |(generation, _): &mut _| *generation == shape.generation;
+        let (generation, problem) = self.open.pop_front_if(is_its_own)?;
+        Some(Answered {
+            generation,
+            solved: Solved::pair(problem, shape.solution)?,
+            cautions: shape.cautions,
+        })
     }
 
     /// Takes a path of this course.
@@ -126,9 +168,7 @@ impl Live {
 
     /// Draws the scene as it is asked for, with the robot as it is known.
     pub fn redraw(&mut self, notes: &Notes) {
-        let nothing = Solution::default();
-        let solution = self.solution().unwrap_or(&nothing);
-        self.drawing = draw(&self.asked, solution, notes);
+        self.drawing = draw_on_the_way(&self.solved(), &self.asked, notes);
         self.revision += 1;
     }
 
@@ -138,7 +178,7 @@ impl Live {
     }
 
     /// The last answer.
-    pub fn shape(&self) -> Option<&Shape> {
+    pub fn shape(&self) -> Option<&Answered> {
         self.shape.as_ref()
     }
 
@@ -173,9 +213,16 @@ impl Live {
         self.time
     }
 
-    /// The last answer's solution.
-    pub fn solution(&self) -> Option<&Solution> {
-        self.shape.as_ref().map(|shape| &shape.solution)
+    /// The last answer's solution, with its problem.
+    pub fn solution(&self) -> Option<&Solved> {
+        self.shape.as_ref().map(|shape| &shape.solved)
+    }
+
+    /// The same or, where there is no answer yet, the problem last asked for
+    /// without a shape.
+    pub fn solved(&self) -> Cow<'_, Solved> {
+        let nothing = || Cow::Owned(Solved::unsolved(self.asked.clone()));
+        self.solution().map_or_else(nothing, Cow::Borrowed)
     }
 
     /// What the last answer does not promise; nothing while a request has no
@@ -191,8 +238,8 @@ impl Live {
     pub fn is_settled(&self) -> bool {
         self.shape.as_ref().is_some_and(|shape| {
             shape.generation == self.generation
-                && shape.solution.status == Status::Converged
-                && shape.solution.certificate.holds()
+                && shape.solved.status == Status::Converged
+                && shape.solved.certificate.holds()
         })
     }
 
@@ -297,6 +344,31 @@ mod tests {
         take(&mut live, found);
         assert!(live.is_settled() && live.path_is_current());
         assert_eq!(live.path().unwrap().length, pulled(4.0).length());
+    }
+
+    #[test]
+    fn an_answer_belongs_to_the_problem_that_it_was_asked_for() {
+        let (mut live, _, found) = solved();
+        let _ = live.ask(&longer(), StartFrom::Last, SPAN);
+        take(&mut live, found);
+        assert!(live.is_waiting());
+        let known = live.solution().unwrap();
+        assert_eq!(known.problem().length(), pulled(4.0).length());
+        assert_eq!(live.problem().length(), longer().length());
+    }
+
+    #[test]
+    fn an_answer_to_a_request_that_is_forgotten_is_not_shown() {
+        let (mut live, mut job, found) = solved();
+        for _ in 0..OPEN {
+            let _ = live.ask(&pulled(4.5), StartFrom::Last, SPAN);
+        }
+        take(&mut live, found);
+        assert!(live.shape().is_none());
+        let request = live.ask(&pulled(5.0), StartFrom::Last, SPAN);
+        let found = solve(&mut job, request);
+        take(&mut live, found);
+        assert!(live.is_settled() && live.open.is_empty());
     }
 
     #[test]

@@ -14,12 +14,12 @@ fn greyed() -> Standing {
     }
 }
 
-fn built(edit: impl Fn(&mut Scene), theme: Theme, standing: &Standing) -> (Solution, Mesh) {
+fn built(edit: impl Fn(&mut Scene), theme: Theme, standing: &Standing) -> (Solved, Mesh) {
     let mut scene = Scene::from_toml(TWO_DISCS).unwrap();
     edit(&mut scene);
     let problem = Problem::new(&scene).unwrap();
     let solution = solve(&problem, Start::Straight, Settings::default());
-    let mesh = mesh(&problem, &solution, theme, standing);
+    let mesh = mesh(&solution, problem.obstacles(), theme, standing);
     (solution, mesh)
 }
 
@@ -115,7 +115,7 @@ fn plane_and_space_draw_disks_of_one_size_whatever_may_touch() {
         scene.robot.disk_thickness_mm = 3.0;
         let problem = Problem::new(&scene).unwrap();
         let solution = solve(&problem, Start::Straight, Settings::default());
-        let drawing = draw(&problem, &solution, &Notes::of(&scene));
+        let drawing = draw(&solution, &Notes::of(&scene));
         let disks = drawing.marks.iter().filter(|mark| mark.role == Role::Disk);
         for disk in disks.clone() {
             let ends = disk.geometry.points(1e-6, &drawing.bounds);
@@ -123,7 +123,12 @@ fn plane_and_space_draw_disks_of_one_size_whatever_may_touch() {
             assert_eq!(disk.thickness, 0.003);
         }
         assert_eq!(disks.count(), 10);
-        let mesh = mesh(&problem, &solution, Theme::Light, &Standing::Certified);
+        let mesh = mesh(
+            &solution,
+            problem.obstacles(),
+            Theme::Light,
+            &Standing::Certified,
+        );
         let tip = reach(&mesh, &solution.tip());
         assert!((tip - 0.012).abs() < 1e-5, "{candidates:?}: {tip}");
     }
@@ -133,17 +138,24 @@ fn plane_and_space_draw_disks_of_one_size_whatever_may_touch() {
 fn plane_and_space_colour_the_disks_that_press_and_no_others() {
     let scene = Scene::from_toml(TWO_DISCS).unwrap();
     let problem = Problem::new(&scene).unwrap();
-    let mut solution = solve(&problem, Start::Straight, Settings::default());
+    let solved = solve(&problem, Start::Straight, Settings::default());
+    let mut solution = solved.into_solution();
     // The lower one only grazes, the upper one presses.
     solution.contacts[0].class = Class::Grazing;
     solution.contacts[0].multiplier = 0.0;
-    let drawing = draw(&problem, &solution, &Notes::of(&scene));
+    let solution = Solved::pair(problem.clone(), solution).unwrap();
+    let drawing = draw(&solution, &Notes::of(&scene));
     let coloured = drawing
         .marks
         .iter()
         .filter(|mark| matches!(mark.role, Role::TouchedDisk(_)));
     assert_eq!(coloured.count(), 1);
-    let mesh = mesh(&problem, &solution, Theme::Light, &Standing::Certified);
+    let mesh = mesh(
+        &solution,
+        problem.obstacles(),
+        Theme::Light,
+        &Standing::Certified,
+    );
     let shining = |node: &PlanarNode| {
         let centre = node.position - mesh.origin.xy();
         let vertices = mesh.solids.vertices.iter();
@@ -165,7 +177,9 @@ fn plane_and_space_colour_the_disks_that_press_and_no_others() {
 fn a_solution_without_nodes_shows_the_obstacles() {
     let scene = Scene::from_toml(TWO_DISCS).unwrap();
     let problem = Problem::new(&scene).unwrap();
-    let mesh = mesh(&problem, &Solution::default(), Theme::Dark, &greyed());
+    let nothing = Solved::unsolved(problem);
+    let obstacles = nothing.problem().obstacles();
+    let mesh = mesh(&nothing, obstacles, Theme::Dark, &greyed());
     mesh.solids.check();
     assert!(!mesh.solids.indices.is_empty() && !mesh.focus.is_empty());
 }

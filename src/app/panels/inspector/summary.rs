@@ -22,7 +22,7 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
         row::fact(ui, "Status", "", &word("Solving…"));
         return;
     };
-    let solution = &shape.solution;
+    let solution = &shape.solved;
     let mm = |value: f64| Quantity::fixed(millimetres(value), 2, "mm");
     row::fact(ui, "Status", "", &word(Verdict::of(&bench.live).word()));
     row::fact(ui, "Pull", "l", &mm(solution.pull));

@@ -1,0 +1,130 @@
+//! A solved robot: a solution with the problem that it is one of.
+
+use super::solution::Solution;
+use crate::contact::Clearance;
+use crate::geometry::Vector;
+use crate::mechanics::Problem;
+use std::ops::Deref;
+
+/// A solution that holds the problem it belongs to, so that nobody reads it
+/// with another's sizes or obstacles. It reads as its [`Solution`].
+#[derive(Clone, Debug)]
+pub struct Solved {
+    problem: Problem,
+    solution: Solution,
+}
+
+impl Solved {
+    /// A problem whose shape is not known: its solution has no nodes.
+    pub fn unsolved(problem: Problem) -> Self {
+        Self {
+            problem,
+            solution: Solution::default(),
+        }
+    }
+
+    /// A solution that comes from elsewhere with the problem that was asked
+    /// for, whose pull becomes the solution's; a [run](super::Run) and
+    /// [`solve`](super::solve) pair their own. `None` where the solution cannot
+    /// be one of this problem: another number of segments, another base, or
+    /// contacts of parts or with obstacles that are not there.
+    pub fn pair(mut problem: Problem, solution: Solution) -> Option<Self> {
+        let Some(base) = solution.nodes.first() else {
+            return Some(Self { problem, solution });
+        };
+        let segments = problem.robot().segments;
+        let lengths = [solution.nodes.len() - 1, solution.turns.len()];
+        let (candidates, obstacles) = (problem.candidates(), problem.obstacles());
+        let fits = lengths == [segments; 2]
+            && base.position == problem.robot().base.position
+            && solution.contacts.iter().all(|contact| {
+                let candidate = candidates.get(contact.candidate);
+                contact.obstacle < obstacles.len()
+                    && candidate.is_some_and(|candidate| candidate.node == contact.node)
+            });
+        let (least, most) = problem.robot().pull_range();
+        if !fits || !(least..=most).contains(&solution.pull) {
+            return None;
+        }
+        problem.set_pull(solution.pull);
+        Some(Self { problem, solution })
+    }
+
+    /// A pair that is known to be one.
+    pub(super) fn own(problem: Problem, solution: Solution) -> Self {
+        Self { problem, solution }
+    }
+
+    /// The problem. Its pull is the solution's, and its obstacles are where
+    /// the shape meets them.
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    /// The solution.
+    pub fn solution(&self) -> &Solution {
+        &self.solution
+    }
+
+    /// The clearance and multiplier of every candidate from every obstacle, by
+    /// candidate; an edge whose inside faces no vertex has none.
+    pub fn clearances(&self) -> Vec<Clearance> {
+        let around = self.problem.around();
+        around.clearances(&self.solution.nodes, &self.solution.contacts)
+    }
+
+    /// The cable points, in metres, base first; n + 1.
+    pub fn cable(&self) -> impl ExactSizeIterator<Item = Vector> + '_ {
+        self.solution.cable(self.problem.robot().offset)
+    }
+
+    /// The solution, without a copy.
+    pub fn into_solution(self) -> Solution {
+        self.solution
+    }
+}
+
+impl Deref for Solved {
+    type Target = Solution;
+
+    fn deref(&self) -> &Solution {
+        &self.solution
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equilibrium::{Settings, Start, solve};
+    use crate::scene::Scene;
+
+    fn problem(edit: impl FnOnce(&mut Scene)) -> Problem {
+        let text = include_str!("../../assets/scenes/one-disc.toml");
+        let mut scene = Scene::from_toml(text).unwrap();
+        edit(&mut scene);
+        Problem::new(&scene).unwrap()
+    }
+
+    #[test]
+    fn a_solution_is_paired_with_its_own_problem_only() {
+        let own = problem(|_| ());
+        let solved = solve(&own, Start::Straight, Settings::default());
+        assert!(!solved.contacts.is_empty());
+        let pairs = |with: Problem| Solved::pair(with, solved.solution().clone()).is_some();
+        assert!(pairs(own));
+        assert!(!pairs(problem(
+            |scene| scene.robot.segments += scene.robot.segments_per_bay
+        )));
+        assert!(!pairs(problem(|scene| scene.robot.base_mm[0] += 1e-9)));
+        assert!(!pairs(problem(|scene| scene.obstacles.clear())));
+    }
+
+    #[test]
+    fn the_pull_is_that_of_the_solution() {
+        let solved = solve(&problem(|_| ()), Start::Straight, Settings::default());
+        let mut farther = problem(|_| ());
+        farther.set_pull(solved.pull + 1e-3);
+        let paired = Solved::pair(farther, solved.into_solution()).unwrap();
+        assert_eq!(paired.problem().pull(), paired.pull);
+    }
+}
