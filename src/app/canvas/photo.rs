@@ -158,16 +158,7 @@ pub fn interact(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn photo() -> Photo {
-        Photo {
-            file: "a.png".to_owned(),
-            center_mm: [10.0, 20.0],
-            width_mm: 100.0,
-            rotation_deg: 90.0,
-            opacity: 1.0,
-        }
-    }
+    use crate::app::workbench::photo;
 
     #[test]
     fn a_turned_photograph_is_where_it_is_painted() {

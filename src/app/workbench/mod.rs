@@ -299,6 +299,9 @@ impl Workbench {
 }
 
 #[cfg(test)]
+pub use photos::tests::photo;
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::scene::Shape;

@@ -109,10 +109,11 @@ pub fn photo_centre(photo: &Photo) -> Vector {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
-    fn photo() -> Photo {
+    /// A photograph that is turned by a right angle.
+    pub fn photo() -> Photo {
         Photo {
             file: "a.png".to_owned(),
             center_mm: [10.0, 20.0],
