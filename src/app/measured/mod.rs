@@ -57,6 +57,13 @@ pub fn search(bench: &mut Workbench, ctx: &Context) {
     ctx.request_repaint();
 }
 
+/// Gives the search up.
+pub fn cancel(bench: &mut Workbench) {
+    if let Some(search) = bench.measuring.search.take() {
+        bench.cancel(search.task);
+    }
+}
+
 /// Pulls the robot as suits the measurement best.
 pub fn apply(bench: &mut Workbench) {
     let best = bench.measuring.best(&bench.document.scene);
@@ -69,7 +76,7 @@ pub fn apply(bench: &mut Workbench) {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::app::backend::Inline;
     use crate::app::workbench::{Document, Preferences};
@@ -79,7 +86,7 @@ mod tests {
 
     /// A workbench whose solver does little at a time, with a robot that was
     /// measured at 3 mm of pull.
-    fn bench() -> Workbench {
+    pub fn bench() -> Workbench {
         let mut scene = scene();
         let measured = measured();
         let points = measured.points().iter();
@@ -134,6 +141,17 @@ mod tests {
         assert_eq!(bench.live.solution().unwrap().pull, 0.004);
         apply(&mut bench);
         assert!((bench.pull_mm() - 3.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn a_search_that_is_cancelled_finds_nothing() {
+        let mut bench = bench();
+        searched(&mut bench, 0.1);
+        cancel(&mut bench);
+        assert!(to_the_end(&mut bench).is_none());
+        // Another one begins anew.
+        searched(&mut bench, 0.1);
+        assert!(to_the_end(&mut bench).unwrap().is_ok());
     }
 
     #[test]

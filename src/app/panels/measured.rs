@@ -87,10 +87,14 @@ fn distances(ui: &mut Ui, of: &str, fit: &ShapeFit, length: f64) {
 /// The pull that suits the backbone best.
 fn best(ui: &mut Ui, bench: &mut Workbench, length: f64) {
     if let Some(search) = &bench.measuring.search {
+        let share = Quantity::fixed(100.0 * search.share, 0, "%").text();
         ui.horizontal(|ui| {
             ui.add(Spinner::new().size(16.0));
             ui.label("Trying every pull");
-            ui.weak(Quantity::fixed(100.0 * search.share, 0, "%").text());
+            ui.weak(share);
+            if ui.button("Stop the search").clicked() {
+                measured::cancel(bench);
+            }
         });
         return;
     }
@@ -144,4 +148,68 @@ fn forces(ui: &mut Ui, held: &Measurements) {
                     }
                 });
         });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::measured::tests::bench;
+    use eframe::egui::{Key, accesskit::Role};
+    use egui_kittest::Harness;
+    use egui_kittest::kittest::Queryable as _;
+
+    const STOP: &str = "Stop the search";
+
+    /// The measurements by themselves. The solver works when it is polled.
+    fn panel() -> Harness<'static, Workbench> {
+        let mut bench = bench();
+        while bench.wants_frames() {
+            bench.poll();
+        }
+        let mut panel = Harness::builder()
+            .with_context_setup(crate::app::look::install)
+            .build_ui_state(show, bench);
+        panel.step();
+        panel
+    }
+
+    fn begin(panel: &mut Harness<'static, Workbench>) {
+        panel.get_by_label("Find the best pull").click();
+        panel.step();
+        panel.step();
+        panel.state_mut().poll();
+        assert!(panel.state().measuring.search.is_some());
+    }
+
+    fn is_stopped(panel: &mut Harness<'static, Workbench>) {
+        assert!(panel.state().measuring.search.is_none());
+        while panel.state().wants_frames() {
+            panel.state_mut().poll();
+        }
+        assert!(panel.state().measuring.best.is_none());
+        panel.step();
+        assert!(panel.query_by_label(STOP).is_none());
+    }
+
+    #[test]
+    fn a_search_is_stopped_by_a_click() {
+        let mut panel = panel();
+        begin(&mut panel);
+        panel.get_by_role_and_label(Role::Button, STOP).click();
+        panel.step();
+        panel.step();
+        is_stopped(&mut panel);
+        begin(&mut panel);
+    }
+
+    #[test]
+    fn a_search_is_stopped_by_the_keyboard() {
+        let mut panel = panel();
+        begin(&mut panel);
+        panel.get_by_role_and_label(Role::Button, STOP).focus();
+        panel.step();
+        panel.key_press(Key::Enter);
+        panel.step();
+        is_stopped(&mut panel);
+    }
 }

@@ -30,7 +30,7 @@ mod unsaved;
 pub use document::Document;
 pub use files::{Arrival, Asked, Files, Intent, Saved};
 pub use history::{Gesture, History};
-pub use live::Live;
+pub use live::{Answered, Live};
 pub use loads::Loads;
 pub use measuring::{Basis, Best, Measuring, Search};
 pub use notices::{Notice, Notices, Tone};
@@ -170,7 +170,7 @@ impl Workbench {
         let request = self.live.ask(self.document.problem(), from, span);
         self.solver.submit(Order::Live(request));
         if let Some(task) = self.measuring.give_up(&self.document.scene) {
-            self.solver.submit(Order::Cancel(task));
+            self.cancel(task);
         }
     }
 
@@ -181,6 +181,11 @@ impl Workbench {
         let id = TaskId(self.tasks);
         self.solver.submit(Order::Task(id, task));
         id
+    }
+
+    /// Has the solver do a task no more.
+    pub fn cancel(&mut self, task: TaskId) {
+        self.solver.submit(Order::Cancel(task));
     }
 
     /// Whether the solver needs frames to go on.
@@ -289,6 +294,9 @@ impl Workbench {
 }
 
 #[cfg(test)]
+pub use photos::tests::photo;
+
+#[cfg(test)]
 impl Workbench {
     /// A workbench of a test: a scene that can be solved, and the solver at hand.
     pub fn with(scene: Scene) -> Self {
@@ -297,9 +305,6 @@ impl Workbench {
         Self::new(document, Box::new(backend), Preferences::default())
     }
 }
-
-#[cfg(test)]
-pub use photos::tests::photo;
 
 #[cfg(test)]
 mod tests {
