@@ -167,12 +167,16 @@ fn caveats(ui: &mut Ui, surface: &Surface<'_>, cache: &PlotCache, tokens: &Token
     response.on_hover_text(caveats.join("\n"));
 }
 
+/// The least extent of an axis, in g: one of nothing would have no scale, and no
+/// scale shows less than a microgram.
+const LEAST_EXTENT_G: f64 = 1e-6;
+
 /// The greatest load that is shown: the readings' and the present one, unless
 /// that is far away.
 fn widest(data: &PlotData<'_>, cache: &PlotCache) -> f64 {
     let here = present(data, cache).map_or(0.0, |point| 1.1 * point.x);
     let widest = cache.forces.widest;
-    widest.max(here.min(2.0 * widest)).max(1e-6)
+    widest.max(here.min(2.0 * widest)).max(LEAST_EXTENT_G)
 }
 
 fn curves(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> egui_plot::PlotResponse<()> {
@@ -201,7 +205,7 @@ fn curves(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> egui_plot::Plo
         .include_x(0.0)
         .include_x(widest)
         .include_y(0.0)
-        .include_y(1.05 * highest.max(1e-6));
+        .include_y(1.05 * highest.max(LEAST_EXTENT_G));
     let work = by_work(cache, widest);
     plot.show(ui, |plot| {
         for piece in &forces.total {

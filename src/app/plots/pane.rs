@@ -246,6 +246,10 @@ pub(super) enum Whole {
     No,
 }
 
+/// A step is finer than another where it is so by more than this share: powers
+/// of ten are rounded, to 1e-16 each.
+const SAME_STEP: f64 = 1e-9;
+
 /// Marks at round numbers, the finest of 1, 2 and 5 times a power of ten that
 /// leaves each `room` times the least room.
 fn round_marks(input: &GridInput, room: f64, whole: Whole) -> Vec<GridMark> {
@@ -257,7 +261,7 @@ fn round_marks(input: &GridInput, room: f64, whole: Whole) -> Vec<GridMark> {
     let step = [1.0, 2.0, 5.0, 10.0]
         .map(|factor| factor * power)
         .into_iter()
-        .find(|step| *step > least * (1.0 + 1e-9));
+        .find(|step| *step > least * (1.0 + SAME_STEP));
     let mut step = step.unwrap_or(10.0 * power);
     if whole == Whole::Yes {
         step = step.max(1.0);

@@ -51,6 +51,14 @@ const LEAST: f64 = 4.0;
 pub const SNAP_DEG: f64 = 15.0;
 /// What a dragged turn is rounded to, in degrees.
 const TURN_STEP_DEG: f64 = 0.1;
+/// A turn by less is none, in degrees: what an angle of coordinates leaves by
+/// rounding. So what is taken hold of and not moved stays what it was.
+const NO_TURN_DEG: f64 = 1e-9;
+/// Decimals of a length in mm, at most: a picometre, where a screen shows next
+/// to nothing.
+const MOST_DECIMALS: f64 = 9.0;
+/// What coordinates are written in, over a millimetre: nanometres.
+const WRITTEN_PER_MM: f64 = 1e6;
 
 /// All handles of a shape with their places in mm, where a point of the screen
 /// is `per_point` mm.
@@ -241,14 +249,14 @@ pub fn moved(shape: &Shape, by: Vector, modifiers: Modifiers, per_point: f64) ->
 /// A length in mm rounded to about a tenth of what a point of the screen
 /// shows, in decimal.
 pub fn neat(value: f64, per_point: f64) -> f64 {
-    let decimals = (1.0 - per_point.log10()).ceil().clamp(0.0, 9.0);
+    let decimals = (1.0 - per_point.log10()).ceil().clamp(0.0, MOST_DECIMALS);
     rounded(value, 10f64.powi(decimals as i32))
 }
 
 /// A point in mm as it is written to a scene: to the nanometre, so that files
 /// stay readable.
 pub fn written(point: Vector) -> [f64; 2] {
-    point.map(|x| rounded(x, 1e6)).into()
+    point.map(|x| rounded(x, WRITTEN_PER_MM)).into()
 }
 
 fn rounded(value: f64, per_one: f64) -> f64 {
@@ -313,7 +321,7 @@ fn resize_box(shape: &mut Shape, signs: [i8; 2], to: Vector, modifiers: Modifier
 fn turned(was: f64, angle: f64, modifiers: Modifiers) -> f64 {
     let turn = angle - was;
     let turn = turn - 360.0 * (turn / 360.0).round();
-    if turn.abs() < 1e-9 && !modifiers.shift {
+    if turn.abs() < NO_TURN_DEG && !modifiers.shift {
         return was;
     }
     let angle = was + turn;

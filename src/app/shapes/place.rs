@@ -10,6 +10,22 @@ use std::f64::consts::SQRT_2;
 /// The radius of a new disc, as a share of the robot's length: a post of the
 /// paper's for the paper's robot.
 const RADIUS: f64 = 0.07;
+/// The sides of a clicked box and the radius of its corners, over a new disc's
+/// radius: about as large as the disc, and seen to be no square.
+const BOX: [f64; 2] = [2.4, 1.6];
+const CORNER: f64 = 0.16;
+/// The length of a clicked capsule and the radius of any new one, over a new
+/// disc's radius: as long as the box, and a bar rather than a pill.
+const CAPSULE_LENGTH: f64 = 2.4;
+const CAPSULE_RADIUS: f64 = 0.4;
+/// What the normal of a wall is a multiple of, in degrees: a click means one of
+/// the eight directions, a drag the line that it follows, to what handles turn
+/// by.
+const CLICKED_STEP_DEG: f64 = 45.0;
+const DRAGGED_STEP_DEG: f64 = 0.1;
+/// No dragged size is rounded down to less than this, in points of the screen:
+/// far below what one sees, and not zero.
+const NOT_NOTHING: f64 = 1e-3;
 /// Least size while one drags, as a share of the robot's length.
 const LEAST: f64 = 0.004;
 
@@ -26,17 +42,21 @@ pub fn clicked(tool: Tool, at: Vector, robot: &Robot, per_point: f64) -> Option<
         },
         Tool::Box => Shape::Box {
             center_mm: centre,
-            size_mm: [two_digits(2.4 * radius), two_digits(1.6 * radius)],
+            size_mm: BOX.map(|side| two_digits(side * radius)),
             rotation_deg: 0.0,
-            corner_radius_mm: two_digits(0.16 * radius),
+            corner_radius_mm: two_digits(CORNER * radius),
         },
         Tool::Capsule => Shape::Capsule {
             center_mm: centre,
-            length_mm: two_digits(2.4 * radius),
-            radius_mm: two_digits(0.4 * radius),
+            length_mm: two_digits(CAPSULE_LENGTH * radius),
+            radius_mm: two_digits(CAPSULE_RADIUS * radius),
             rotation_deg: 0.0,
         },
-        Tool::Wall => wall(centre, Vector::from(robot_middle(robot)) - at, 45.0),
+        Tool::Wall => wall(
+            centre,
+            Vector::from(robot_middle(robot)) - at,
+            CLICKED_STEP_DEG,
+        ),
     })
 }
 
@@ -52,7 +72,7 @@ pub fn dragged(
     per_point: f64,
 ) -> Option<Shape> {
     let least = LEAST * robot.length_mm;
-    let size = |x: f64| neat(x.max(least), per_point).max(per_point * 1e-3);
+    let size = |x: f64| neat(x.max(least), per_point).max(per_point * NOT_NOTHING);
     let along = to - from;
     let from = from.map(|x| neat(x, per_point));
     Some(match tool {
@@ -72,7 +92,7 @@ pub fn dragged(
             }
         }
         Tool::Capsule => {
-            let radius = two_digits(0.4 * RADIUS * robot.length_mm);
+            let radius = two_digits(CAPSULE_RADIUS * RADIUS * robot.length_mm);
             Shape::Capsule {
                 center_mm: written(from + 0.5 * along),
                 length_mm: size(along.norm()),
@@ -90,7 +110,7 @@ pub fn dragged(
             } else {
                 -aside
             };
-            wall(from.into(), normal, 0.1)
+            wall(from.into(), normal, DRAGGED_STEP_DEG)
         }
     })
 }

@@ -6,6 +6,11 @@ use crate::geometry::Vector;
 /// Points of the trace that are kept.
 const MOST: usize = 2000;
 
+/// The tip has moved on once it is so far from the last point, over the
+/// backbone's length: 0.04 mm on the paper's robot, less than a pixel of a
+/// window that shows all of it.
+const APART: f64 = 2e-4;
+
 /// Where the tip has been since the last start.
 #[derive(Clone, Debug, Default)]
 pub struct Trace {
@@ -32,7 +37,7 @@ impl Trace {
             return;
         }
         let tip = solution.tip().position;
-        let far = 2e-4 * live.problem().length();
+        let far = APART * live.problem().length();
         let last = self.points.last();
         if last.is_none_or(|last| (tip - last).norm() > far) {
             self.points.push(tip);

@@ -6,6 +6,15 @@ use crate::geometry::{Core, Vector, cross};
 use crate::scene::Shape;
 use crate::scene::limits::{VERTEX_SPACING_MM, VERTICES};
 
+/// A hull whose area, doubled, is below this share of its extent squared is a
+/// line: it would enclose next to nothing, and its edges would have no side.
+const FLAT: f64 = 1e-6;
+/// Lines whose directions differ by an angle of a smaller sine are parallel:
+/// where they meet, coordinates of 1e3 mm would have lost all their digits.
+const PARALLEL: f64 = 1e-9;
+/// What is meant by on a line, in mm: within rounding of coordinates to 1e6 mm.
+const ON_LINE_MM: f64 = 1e-9;
+
 /// The vertices of a polygon where they are drawn, its turn applied; none of
 /// any other shape.
 pub fn vertices(shape: &Shape) -> Vec<Vector> {
@@ -148,7 +157,7 @@ pub fn convex(points: &[Vector]) -> Option<Convex> {
         .iter()
         .map(|p| (p - hull[0]).norm())
         .fold(0.0, f64::max);
-    (area(&hull) > 1e-6 * extent * extent).then(|| Convex {
+    (area(&hull) > FLAT * extent * extent).then(|| Convex {
         left_out: distinct.len() - hull.len(),
         points: hull,
     })
@@ -196,7 +205,7 @@ fn nearest_within(sides: &[Side; 3], to: Vector) -> Option<Vector> {
         places.push(to - a.depth(to) * a.normal);
         for b in &sides[i + 1..] {
             let determinant = cross(a.normal, b.normal);
-            if determinant.abs() > 1e-9 {
+            if determinant.abs() > PARALLEL {
                 places.push(Vector::new(
                     (a.least * b.normal.y - b.least * a.normal.y) / determinant,
                     (b.least * a.normal.x - a.least * b.normal.x) / determinant,
@@ -204,8 +213,7 @@ fn nearest_within(sides: &[Side; 3], to: Vector) -> Option<Vector> {
             }
         }
     }
-    // On a line means within rounding of it, of coordinates to 1e6 mm.
-    let within = |place: &Vector| sides.iter().all(|side| side.depth(*place) >= -1e-9);
+    let within = |place: &Vector| sides.iter().all(|side| side.depth(*place) >= -ON_LINE_MM);
     let mut good = places
         .into_iter()
         .filter(|p| p.x.is_finite() && p.y.is_finite());
