@@ -82,6 +82,14 @@ impl Candidate {
         place
     }
 
+    /// The least clearance of this candidate from an obstacle, in metres;
+    /// infinite for an edge whose inside faces no vertex.
+    pub fn least_clearance(&self, nodes: &[PlanarNode], obstacle: &Obstacle) -> f64 {
+        let mut least = f64::INFINITY;
+        self.clearances(nodes, obstacle, |_, clearance| least = least.min(clearance));
+        least
+    }
+
     /// The clearances of this candidate from an obstacle, each with its
     /// vertex: one for a point, any number for an edge, and one without a
     /// vertex for an edge that crosses the obstacle's core.
@@ -129,10 +137,7 @@ impl Surroundings {
         let mut all = Vec::new();
         for (index, candidate) in self.candidates.iter().enumerate() {
             for (obstacle_index, obstacle) in self.obstacles.iter().enumerate() {
-                let mut least = f64::INFINITY;
-                candidate.clearances(nodes, obstacle, |_, clearance| {
-                    least = least.min(clearance);
-                });
+                let least = candidate.least_clearance(nodes, obstacle);
                 if least.is_finite() {
                     let touching = contacts.iter().filter(|contact| {
                         contact.candidate == index && contact.obstacle == obstacle_index

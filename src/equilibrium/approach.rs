@@ -30,8 +30,7 @@ pub(super) fn seed(problem: &Problem, obstacle: &Obstacle, nodes: &[PlanarNode])
     let mut deepest = (touching, None);
     let mut points = Vec::new();
     for candidate in problem.candidates() {
-        let mut least = f64::INFINITY;
-        candidate.clearances(nodes, obstacle, |_, clearance| least = least.min(clearance));
+        let least = candidate.least_clearance(nodes, obstacle);
         if least < touching {
             let (start, end) = candidate.ends(nodes);
             points.push((start, candidate.radius));
