@@ -5,7 +5,7 @@
 use sinew::contact::Class;
 use sinew::equilibrium::{Settings, Solution, Solved, Start, Status, solve};
 use sinew::forces::{
-    Caveat, FitError, LineFit, Loading, Profile, Rates, Resultant, Sections, Statics, Stiffness,
+    Caveat, FitError, LineFit, LoadSteps, Profile, Rates, Resultant, Sections, Statics, Stiffness,
     StiffnessError, Sweep, SweepError, Touch, VirtualWork, VirtualWorkError, Window,
 };
 use sinew::geometry::{Vector, cross};
@@ -149,7 +149,7 @@ fn a_robot_that_meets_nothing_within_a_turn_is_loaded_from_no_pull_on() {
         ..Scene::default()
     };
     let problem = Problem::new(&scene).unwrap();
-    let loading = Loading::of(&problem, stiffness(), &[1.0]).unwrap();
+    let loading = LoadSteps::of(&problem, stiffness(), &[1.0]).unwrap();
     assert_eq!((loading.contact, loading.datum), (None, 0.0));
     close(loading.states[0].statics.tension, 1.0, 1e-6);
     // It is met a little beyond.

@@ -107,7 +107,7 @@ fn disks_rims_and_nodes_that_no_candidate_sees_are_told() {
         matches!(
             told[..],
             [Caution::Crosses {
-                line: Line::RimFarSide | Line::Disk,
+                line: Line::RimFarSide | Line::DiskFace,
                 node: 8,
                 obstacle: 0,
                 ..
@@ -140,7 +140,7 @@ fn disks_rims_and_nodes_that_no_candidate_sees_are_told() {
         matches!(
             told[..],
             [Caution::Crosses {
-                line: Line::Disk,
+                line: Line::DiskFace,
                 node: 0,
                 ..
             }]

@@ -142,7 +142,7 @@ fn a_corner_beyond_the_end_of_a_disk_does_not_pierce_it() {
         [[25.336, 170.91], [30.942, 168.923], [29.863, 167.052]],
         0.0,
     );
-    let pressing = [(Line::Disk, 18, 8.008e-3)];
+    let pressing = [(Line::DiskFace, 18, 8.008e-3)];
     let scene = robot(10.6, Candidates::Body, wedge);
     check(&scene, [24.2634, 166.3080], 0.183523, &pressing);
 }

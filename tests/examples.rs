@@ -204,7 +204,7 @@ fn one_reading_predicts_the_others_to_half_a_gram() {
 
 #[test]
 fn the_robot_slips_off_the_post_and_does_not_come_back() {
-    assert_eq!(pressing(&at_its_pull("slip-off")), [(Line::Disk, 18)]);
+    assert_eq!(pressing(&at_its_pull("slip-off")), [(Line::DiskFace, 18)]);
     let past = at("slip-off", 8.0);
     assert_eq!(pressing(&past), []);
     let jumps: Vec<(f64, f64)> = past

@@ -3,7 +3,7 @@
 
 use sinew::equilibrium::{Occurrence, Progress, Run, Settings, Solved, Start, Status, solve};
 use sinew::explore::{LoadCurve, Path, PathRun};
-use sinew::forces::{Loading, Stiffness, Sweep};
+use sinew::forces::{LoadSteps, Stiffness, Sweep};
 use sinew::geometry::Vector;
 use sinew::mechanics::Problem;
 use sinew::record::path::{COLUMNS, rows};
@@ -287,7 +287,7 @@ fn the_load_curve_goes_through_the_loaded_states() {
     // Steps a quarter as wide must err by a sixteenth.
     let stiffness = Stiffness::new(0.02).unwrap();
     let loads = [0.3, 0.7, 1.3, 2.0];
-    let loading = Loading::of(&problem, stiffness, &loads).unwrap();
+    let loading = LoadSteps::of(&problem, stiffness, &loads).unwrap();
     let error = |count: usize| {
         let path = PathRun::over(&problem, 0.0, 0.012, count).finish();
         let curve = LoadCurve::of(&path, &problem, stiffness);

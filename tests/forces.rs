@@ -4,7 +4,7 @@
 use sinew::contact::Class;
 use sinew::equilibrium::{Settings, Solved, Start, Status, solve};
 use sinew::forces::{
-    Caveat, FitError, LineFit, Loaded, Loading, Profile, Rates, Sections, Statics, Stiffness,
+    Caveat, FitError, LineFit, LoadSteps, Loaded, Profile, Rates, Sections, Statics, Stiffness,
     Sweep, SweepError, VirtualWork, VirtualWorkError, Window, share_of_tension,
 };
 use sinew::geometry::Vector;
@@ -407,7 +407,7 @@ fn the_whole_body_balances_wherever_it_touches() {
 fn loads_count_from_contact_and_are_met() {
     let cell = problem("load-cell");
     let loads = [350.0, 50.0, 100.0].map(newtons);
-    let loading = Loading::of(&cell, stiffness(), &loads).unwrap();
+    let loading = LoadSteps::of(&cell, stiffness(), &loads).unwrap();
     let begins = at(&cell, 1e3 * loading.contact.unwrap());
     let solution = solved(&begins);
     close(
@@ -425,13 +425,13 @@ fn loads_count_from_contact_and_are_met() {
     let force = |k: usize| state_force(&loading.states[k]);
     assert!(force(0) > force(2) && force(2) > force(1));
     // A free robot's loads are its whole tension.
-    let free = Loading::of(&problem("free"), stiffness(), &[newtons(100.0)]).unwrap();
+    let free = LoadSteps::of(&problem("free"), stiffness(), &[newtons(100.0)]).unwrap();
     assert_eq!((free.contact, free.datum), (None, 0.0));
     close(grams(free.states[0].statics.tension), 100.0, 1e-6);
     assert_eq!(free.end, None);
     // More than the linkage can carry, with a load that it can.
     let loads = [1e6, newtons(100.0)];
-    let heavy = Loading::of(&problem("free"), stiffness(), &loads).unwrap();
+    let heavy = LoadSteps::of(&problem("free"), stiffness(), &loads).unwrap();
     assert_eq!(heavy.states.len(), 1);
     assert_eq!(heavy.states[0].pull, free.states[0].pull);
     assert!(matches!(heavy.end, Some(SweepError::NotReached { pull, .. }) if pull > 0.176));

@@ -249,7 +249,7 @@ fn clearances_of_points_links_and_what_crosses_them() {
         10,
         Some((18.0_f64 * 18.0 + 25.0).sqrt() - 6.0),
     );
-    check(disc(4.0, 105.0, 1.0), Line::Disk, 10, Some(3.0));
+    check(disc(4.0, 105.0, 1.0), Line::DiskFace, 10, Some(3.0));
     // A bar across the link reaches 26 mm beyond it, and the link is half a
     // millimetre thick on each side.
     let bar = Shape::Box {

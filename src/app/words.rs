@@ -169,7 +169,7 @@ fn part(line: Line, node: usize) -> String {
         Line::RimFarSide => format!("the far rim at node {node}"),
         Line::BackboneLink => format!("the backbone below node {node}"),
         Line::CableLink => format!("the cable below node {node}"),
-        Line::Disk => format!("the disk at node {node}"),
+        Line::DiskFace => format!("the disk at node {node}"),
     }
 }
 

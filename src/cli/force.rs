@@ -10,7 +10,7 @@ use super::{Failure, Outcome, force_text, numbers};
 use crate::contact::Contact;
 use crate::equilibrium::{Settings, Start, Status, solve};
 use crate::forces::{
-    Loading, Profile, Rates, Stiffness, Sweep, SweepError, VirtualWork, Window, share_of_tension,
+    LoadSteps, Profile, Rates, Stiffness, Sweep, SweepError, VirtualWork, Window, share_of_tension,
 };
 use crate::mechanics::Problem;
 use crate::record::force::{
@@ -85,7 +85,7 @@ fn estimate(
     let loading = match stiffness {
         Some((ei, from)) => {
             let newtons: Vec<f64> = loads.iter().map(|load| newtons(*load)).collect();
-            let loading = unreached.but(Loading::of(problem, ei, &newtons))?;
+            let loading = unreached.but(LoadSteps::of(problem, ei, &newtons))?;
             loading.map(|loading| (ei, from, loading))
         }
         None => None,
@@ -117,7 +117,7 @@ fn estimate(
             multipliers: state,
         });
     }
-    if let Some((_, _, Loading { end: Some(end), .. })) = &loading {
+    if let Some((_, _, LoadSteps { end: Some(end), .. })) = &loading {
         let reached = |load: &&f64| rows.iter().any(|row| row.load_g == **load);
         let missing = loads.iter().filter(|load| !reached(load));
         let least = missing.copied().fold(f64::INFINITY, f64::min);

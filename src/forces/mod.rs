@@ -23,7 +23,7 @@
 //! | B | [`Stiffness`] | bending stiffness EI |
 
 mod line_fit;
-mod loading;
+mod load_steps;
 mod sections;
 mod statics;
 mod stiffness;
@@ -31,7 +31,7 @@ mod sweep;
 mod virtual_work;
 
 pub use line_fit::{FitError, LineFit};
-pub use loading::{Loaded, Loading};
+pub use load_steps::{LoadSteps, Loaded};
 pub use sections::{Section, Sections};
 pub use statics::{ContactForce, Resultant, Statics, share_of_tension};
 pub use stiffness::{Profile, Stiffness, StiffnessError};

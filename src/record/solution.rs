@@ -240,7 +240,9 @@ fn contact(touch: &Touch) -> Contact {
         point_mm: point_mm(touch.point),
         clearance_mm: millimetres(touch.clearance),
         side: match touch.line {
-            Line::Backbone | Line::BackboneLink | Line::RimFarSide | Line::Disk => Side::Backbone,
+            Line::Backbone | Line::BackboneLink | Line::RimFarSide | Line::DiskFace => {
+                Side::Backbone
+            }
             Line::Cable | Line::CableLink | Line::RimCableSide => Side::Cable,
         },
     }

@@ -22,15 +22,15 @@ pub enum Line {
     BackboneLink,
     /// The inside of a cable link.
     CableLink,
-    /// The inside of a disk, its flat face.
-    Disk,
+    /// The flat face of a disk, without its rims.
+    DiskFace,
 }
 
 impl Line {
     /// Whether its parts are points, which only a node moves, and not the
     /// lines between them.
     pub fn is_point(self) -> bool {
-        !matches!(self, Line::BackboneLink | Line::CableLink | Line::Disk)
+        !matches!(self, Line::BackboneLink | Line::CableLink | Line::DiskFace)
     }
 }
 
@@ -162,7 +162,7 @@ impl Robot {
                 Line::RimFarSide => Joins::Disk,
                 Line::RimCableSide if rim_is_joint && node > 0 => Joins::Links,
                 Line::RimCableSide => Joins::Disk,
-                Line::BackboneLink | Line::CableLink | Line::Disk => Joins::Nothing,
+                Line::BackboneLink | Line::CableLink | Line::DiskFace => Joins::Nothing,
             },
         };
         let point = |lever| Element::Point { lever };
@@ -180,7 +180,7 @@ impl Robot {
             parts.extend([
                 part(Line::RimCableSide, point(rim), disk),
                 part(Line::RimFarSide, point(-rim), disk),
-                part(Line::Disk, Element::Across { lever: rim }, disk),
+                part(Line::DiskFace, Element::Across { lever: rim }, disk),
             ]);
         }
         parts

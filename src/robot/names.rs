@@ -14,7 +14,7 @@ impl Line {
             Line::RimFarSide => "rim_far_side",
             Line::BackboneLink => "backbone_link",
             Line::CableLink => "cable_link",
-            Line::Disk => "disk",
+            Line::DiskFace => "disk",
         }
     }
 
@@ -28,7 +28,7 @@ impl Line {
             Line::RimFarSide => format!("the far rim at node {node}"),
             Line::BackboneLink => link("backbone"),
             Line::CableLink => link("cable"),
-            Line::Disk => format!("the disk at node {node}"),
+            Line::DiskFace => format!("the disk at node {node}"),
         }
     }
 }
@@ -55,7 +55,7 @@ pub fn part_name(robot: &Robot, line: Line, node: usize) -> String {
         Line::RimFarSide => "rim on the far side",
         Line::BackboneLink => "backbone",
         Line::CableLink => "cable",
-        Line::Disk => "face",
+        Line::DiskFace => "face",
     };
     format!("{place}, {side}")
 }

@@ -4,7 +4,7 @@
 use crate::app::look::{Tokens, colour, theme_of};
 use crate::app::widgets::{
     Number,
-    row::{self, Standing},
+    row::{self, Emphasis},
     with_form,
 };
 use crate::app::words;
@@ -169,7 +169,7 @@ fn contact(
     ));
     let obstacle = contact.obstacle;
     let name = words::obstacle_of(&bench.document.scene, obstacle);
-    let standing = Standing {
+    let emphasis = Emphasis {
         selected: bench.selection == Selection::Obstacle(obstacle),
         lit: bench.hovered == Hovered::Contact(index),
     };
@@ -178,7 +178,7 @@ fn contact(
         Class::Grazing => "grazes",
     };
     let id = Id::unique(("contact", index));
-    let response = row::row(ui, id, &format!("{part} {class} on {name}"), standing);
+    let response = row::row(ui, id, &format!("{part} {class} on {name}"), emphasis);
     let rect = response.rect;
     places.text(ui, rect, 0, part);
     places.text(ui, rect, 1, name);
@@ -242,11 +242,11 @@ fn obstacle(ui: &mut Ui, bench: &mut Workbench, places: &Columns, index: usize) 
     };
     let name = words::obstacle(index, found);
     let this = Selection::Obstacle(index);
-    let standing = Standing {
+    let emphasis = Emphasis {
         selected: bench.selection == this,
         lit: bench.hovered == Hovered::Obstacle(index),
     };
-    let response = row::row(ui, Id::unique(("obstacle row", index)), &name, standing);
+    let response = row::row(ui, Id::unique(("obstacle row", index)), &name, emphasis);
     let rect = response.rect;
     places.text(ui, rect, 0, &name);
     places.text(ui, rect, 1, words::shape(&found.shape));

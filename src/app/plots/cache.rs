@@ -58,7 +58,9 @@ impl Side {
     pub fn of(line: Line) -> Self {
         match line {
             Line::Cable | Line::CableLink | Line::RimCableSide => Side::Cable,
-            Line::Backbone | Line::BackboneLink | Line::RimFarSide | Line::Disk => Side::Backbone,
+            Line::Backbone | Line::BackboneLink | Line::RimFarSide | Line::DiskFace => {
+                Side::Backbone
+            }
         }
     }
 }
@@ -202,7 +204,7 @@ impl Shape {
                     Line::Backbone | Line::BackboneLink => "backbone",
                     Line::RimCableSide => "cable-side rim",
                     Line::RimFarSide => "far rim",
-                    Line::Disk => "disk",
+                    Line::DiskFace => "disk",
                 },
                 multiplier,
                 share: if self.greatest > 0.0 {

@@ -13,7 +13,7 @@ const UNIT: f32 = 52.0;
 
 /// How a row stands out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Standing {
+pub struct Emphasis {
     /// It is what is selected.
     pub selected: bool,
     /// Its twin is under the pointer elsewhere.
@@ -26,7 +26,7 @@ pub fn height(ui: &Ui) -> f32 {
 }
 
 /// A row across the width there is, to be filled by the caller.
-pub fn row(ui: &mut Ui, id: Id, name: &str, standing: Standing) -> Response {
+pub fn row(ui: &mut Ui, id: Id, name: &str, emphasis: Emphasis) -> Response {
     let size = vec2(ui.available_width(), height(ui));
     let (_, rect) = ui.allocate_space(size);
     let response = ui.interact(rect, id, Sense::click());
@@ -34,14 +34,14 @@ pub fn row(ui: &mut Ui, id: Id, name: &str, standing: Standing) -> Response {
         WidgetInfo::selected(
             Role::ListBoxOption,
             ui.is_enabled(),
-            standing.selected,
+            emphasis.selected,
             name,
         )
     });
     let tokens = Tokens::in_ui(ui);
-    let fill = if standing.selected {
+    let fill = if emphasis.selected {
         Some(tokens.accent_soft)
-    } else if standing.lit || response.hovered() {
+    } else if emphasis.lit || response.hovered() {
         Some(tokens.hover)
     } else {
         None

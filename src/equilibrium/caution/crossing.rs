@@ -48,7 +48,7 @@ fn unseen(problem: &Problem) -> Vec<Candidate> {
 /// cannot move, and so it is no candidate.
 fn sees_base(problem: &Problem) -> bool {
     let mut candidates = problem.candidates().iter();
-    candidates.any(|part| part.line == Line::Disk)
+    candidates.any(|part| part.line == Line::DiskFace)
 }
 
 /// The part that is deepest inside an obstacle.

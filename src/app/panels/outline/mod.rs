@@ -5,7 +5,7 @@ mod add;
 
 use crate::app::commands::Command;
 use crate::app::look::{Tokens, colour, icon, icon_font, icons, theme_of};
-use crate::app::widgets::row::{self, Standing};
+use crate::app::widgets::row::{self, Emphasis};
 use crate::app::words;
 use crate::app::workbench::{Hovered, Selection, Workbench};
 use crate::contact::Class;
@@ -92,11 +92,11 @@ fn empty(ui: &mut Ui, bench: &mut Workbench) {
 }
 
 fn robot(ui: &mut Ui, outline: &mut Outline, bench: &mut Workbench) {
-    let standing = Standing {
+    let emphasis = Emphasis {
         selected: bench.selection == Selection::Robot,
         lit: matches!(bench.hovered, Hovered::Node(_)),
     };
-    let response = row::row(ui, row_id(Selection::Robot), "Robot", standing);
+    let response = row::row(ui, row_id(Selection::Robot), "Robot", emphasis);
     contents(ui, response.rect, icons::ROBOT, "Robot");
     if response.clicked() {
         choose(&response, bench, Selection::Robot);
@@ -122,11 +122,11 @@ fn besides(ui: &mut Ui, outline: &mut Outline, bench: &mut Workbench) {
         ),
     ];
     for (_, this, glyph, name) in rows.into_iter().filter(|(there, ..)| *there) {
-        let standing = Standing {
+        let emphasis = Emphasis {
             selected: bench.selection == this,
             lit: false,
         };
-        let response = row::row(ui, row_id(this), name, standing);
+        let response = row::row(ui, row_id(this), name, emphasis);
         contents(ui, response.rect, glyph, name);
         if response.clicked() {
             choose(&response, bench, this);
@@ -156,11 +156,11 @@ fn obstacle(
         return;
     }
     let this = Selection::Obstacle(index);
-    let standing = Standing {
+    let emphasis = Emphasis {
         selected: bench.selection == this,
         lit: bench.hovered == Hovered::Obstacle(index),
     };
-    let response = row::row(ui, row_id(this), &name, standing);
+    let response = row::row(ui, row_id(this), &name, emphasis);
     contents(ui, response.rect, glyph, &name);
     if let Some(share) = share {
         presses(ui, &response, share);

@@ -23,9 +23,9 @@ pub struct Loaded {
     pub statics: Statics,
 }
 
-/// A robot that is drawn in by weights.
+/// A robot that is drawn in by weights, one load after the other.
 #[derive(Clone, Debug)]
-pub struct Loading {
+pub struct LoadSteps {
     /// The pull at which the robot begins to press, in metres; `None` where it
     /// presses on nothing before the loads are reached.
     pub contact: Option<f64>,
@@ -86,7 +86,7 @@ fn fault(state: &Solved) -> Option<SweepError> {
     (status != Status::Converged).then_some(SweepError::NotReached { pull, status })
 }
 
-impl Loading {
+impl LoadSteps {
     /// The states under loads, in N, at a stiffness: for each the first pull,
     /// from contact on, at which the cable's tension is the load's. A robot that
     /// meets nothing within a full turn is loaded from its straight shape on.
