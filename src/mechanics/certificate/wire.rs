@@ -90,7 +90,8 @@ fn next<'de, T: Deserialize<'de>, A: SeqAccess<'de>>(from: &mut A) -> Result<T, 
     from.next_element()?.ok_or_else(torn)
 }
 
-#[cfg(all(test, feature = "wire"))]
+#[cfg(test)]
+#[cfg(feature = "wire")]
 mod tests {
     use super::*;
 
