@@ -7,8 +7,8 @@ use one_segment::{BACKBONE, CABLE, OFFSET, OneSegment, Points};
 use sinew::contact::Contact;
 use sinew::equilibrium::{Settings, Solved, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle, Vector, perpendicular};
-use sinew::mechanics::Problem;
 use sinew::mechanics::{Certificate, Certifier, Condition, ConditionKind};
+use sinew::mechanics::{Equal, Mechanics, Problem};
 use sinew::robot::PlanarNode;
 use sinew::scene::{Candidates, Scene, Shape};
 use sinew::solver::{Chain, Control};
@@ -113,8 +113,8 @@ fn forces_that_do_not_balance_are_not_stationary() {
         }
     }
     let problem = Problem::new(&scene(FREE, 5.0)).unwrap();
-    for turned in 0..problem.stages() {
-        let mut controls = problem.free_controls();
+    for turned in 0..problem.robot().segments {
+        let mut controls = Equal::new(problem.clone()).free_controls();
         controls[turned][0] = 1e-6;
         let points = points(&rolled_out(&problem, &controls), 0.008);
         assert_eq!(failed(&problem, &points, &[]), ["stationarity"]);
@@ -122,6 +122,7 @@ fn forces_that_do_not_balance_are_not_stationary() {
 }
 
 fn rolled_out(problem: &Problem, controls: &[Control<1>]) -> Vec<PlanarNode> {
+    let problem = Equal::new(problem.clone());
     let mut nodes = vec![problem.base()];
     for (k, control) in controls.iter().enumerate() {
         nodes.push(problem.stage(k + 1, &nodes[k], control).0);
@@ -164,7 +165,7 @@ fn links_and_disks_of_another_length_are_seen() {
         let mut other = scene(FREE, 5.0);
         edit(&mut other);
         let other = Problem::new(&other).unwrap();
-        let nodes = rolled_out(&other, &other.free_controls());
+        let nodes = rolled_out(&other, &Equal::new(other.clone()).free_controls());
         let points = points(&nodes, other.robot().offset);
         assert_eq!(failed(&mine, &points, &[]), ["links"]);
         close(
@@ -197,7 +198,10 @@ fn every_part_inside_an_obstacle_is_seen() {
         edit(&mut scene);
         scene.obstacles.push(shape.into());
         let problem = Problem::new(&scene).unwrap();
-        let points = points(&rolled_out(&problem, &problem.free_controls()), 0.008);
+        let points = points(
+            &rolled_out(&problem, &Equal::new(problem.clone()).free_controls()),
+            0.008,
+        );
         let depth = value(Condition::Penetration, certify(&problem, &points, &[]));
         close(depth, depth_mm / 180.0, 1e-9);
         assert_eq!(failed(&problem, &points, &[]), ["penetration"]);
@@ -261,7 +265,10 @@ fn an_obstacle_over_the_base_alone_is_not_the_shapes() {
     scene.obstacles.truncate(1);
     let mut problem = Problem::new(&scene).unwrap();
     let at = Vector::from(base_mm.map(|mm| 1e-3 * mm));
-    let points = points(&rolled_out(&problem, &problem.free_controls()), 0.008);
+    let points = points(
+        &rolled_out(&problem, &Equal::new(problem.clone()).free_controls()),
+        0.008,
+    );
     let disc = |height: f64| {
         let middle = at + Vector::new(0.0, height);
         Obstacle::new(Core::Point, 3e-3, middle, 0.0)
@@ -430,10 +437,16 @@ fn a_robot_on_the_point_of_a_needle_is_no_minimum() {
 #[test]
 fn a_bend_without_pull_is_no_minimum() {
     let straight = Problem::new(&scene(FREE, 0.0)).unwrap();
-    let straight_points = points(&rolled_out(&straight, &straight.free_controls()), 0.008);
+    let straight_points = points(
+        &rolled_out(&straight, &Equal::new(straight.clone()).free_controls()),
+        0.008,
+    );
     assert!(is_minimum(&straight, &straight_points, &[]));
     let bent = Problem::new(&scene(FREE, 1e-2)).unwrap();
-    let bent = points(&rolled_out(&bent, &bent.free_controls()), 0.008);
+    let bent = points(
+        &rolled_out(&bent, &Equal::new(bent.clone()).free_controls()),
+        0.008,
+    );
     assert!(!is_minimum(&straight, &bent, &[]));
 }
 

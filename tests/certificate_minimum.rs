@@ -11,7 +11,7 @@ use sinew::contact::Contact;
 use sinew::contact::RowKind;
 use sinew::equilibrium::{Settings, Solution, Solved, Start, Status, solve};
 use sinew::geometry::{Core, Obstacle};
-use sinew::mechanics::{Certifier, Condition, Problem};
+use sinew::mechanics::{Certifier, Condition, Equal, Mechanics, Problem};
 use sinew::scene::Scene;
 use sinew::solver::{Control, Hessian, RowId};
 
@@ -30,6 +30,7 @@ fn row(problem: &Problem, contact: &Contact) -> (RowId, f64) {
 /// The least eigenvalue of the Lagrangian's Hessian in the turns, on the null
 /// space of the contacts' gradients.
 fn least_curvature(problem: &Problem, solution: &Solution) -> f64 {
+    let problem = &Equal::new(problem.clone());
     let n = solution.turns.len();
     let turns = solution.turns.iter();
     let controls: Vec<_> = turns.map(|u| Control::<1>::from_element(*u)).collect();

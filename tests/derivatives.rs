@@ -15,7 +15,7 @@ use any_chain::{
 use crowded::{controls, crowded};
 use rolled_out::at;
 use sinew::contact::RowKind;
-use sinew::mechanics::Problem;
+use sinew::mechanics::{Equal, Mechanics, Problem};
 use sinew::scene::Scene;
 use sinew::solver::{Chain, Control, Hessian, Riccati, RowId};
 
@@ -40,13 +40,13 @@ const ALLOWED: Tolerances = Tolerances {
 const STIFFNESS: f64 = 1e4;
 
 /// Rows of points, of edges, and of limits.
-fn kinds(problem: &Problem, rows: &[RowId]) -> [usize; 3] {
+fn kinds(problem: &Equal, rows: &[RowId]) -> [usize; 3] {
     let mut kinds = [0; 3];
     for id in rows {
         match RowKind::of(*id, problem.obstacles().len()) {
             RowKind::Contact { vertex: None, .. } => kinds[0] += 1,
             RowKind::Contact { .. } => kinds[1] += 1,
-            RowKind::TurnLimit { .. } => kinds[2] += 1,
+            RowKind::TurnLimit { .. } | RowKind::Cable { .. } => kinds[2] += 1,
         }
     }
     kinds
@@ -80,7 +80,7 @@ fn stiffening_adds_the_outer_product_of_the_robots_gradients() {
 #[test]
 fn an_iteration_solves_the_robots_dense_kkt_system() {
     let scene = Scene::from_toml(include_str!("../assets/scenes/two-discs.toml")).unwrap();
-    let problem = Problem::new(&scene).unwrap();
+    let problem = Equal::new(Problem::new(&scene).unwrap());
     let (least, pressing) = minimum(&problem, &problem.free_controls());
     assert_eq!(pressing.len(), 2);
     let near = nudged(&nudged(&least, 2, 2e-4), 11, -3e-4);

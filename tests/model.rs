@@ -3,7 +3,7 @@
 
 use sinew::equilibrium::{Settings, Start, solve};
 use sinew::geometry::{Core, Obstacle, Vector};
-use sinew::mechanics::Problem;
+use sinew::mechanics::{Equal, Mechanics, Problem};
 use sinew::robot::Line;
 use sinew::scene::{Candidates, Listed, Scene, Shape};
 use sinew::solver::Chain;
@@ -210,7 +210,7 @@ fn a_wall_changes_with_its_angle() {
 #[test]
 fn clearances_of_points_links_and_what_crosses_them() {
     let check = |shape: Shape, line: Line, node: usize, expected: Option<f64>| {
-        let problem = Problem::new(&body(&[shape])).unwrap();
+        let problem = Equal::new(Problem::new(&body(&[shape])).unwrap());
         let mut nodes = vec![problem.base()];
         for k in 1..=problem.stages() {
             let straight = problem.free_controls()[0];
@@ -264,7 +264,7 @@ fn clearances_of_points_links_and_what_crosses_them() {
 /// A disk that turns on the spot sweeps its rims over a needle.
 #[test]
 fn a_rim_that_turns_into_a_needle_does_not_pass_it() {
-    let problem = Problem::new(&body(&[disc(12.0, 178.0, 0.01)])).unwrap();
+    let problem = Equal::new(Problem::new(&body(&[disc(12.0, 178.0, 0.01)])).unwrap());
     let mut nodes = vec![problem.base()];
     for k in 1..=problem.stages() {
         let straight = problem.free_controls()[0];

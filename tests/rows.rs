@@ -6,11 +6,11 @@ mod crowded;
 use crowded::{controls, crowded};
 use sinew::contact::RowKind;
 use sinew::geometry::Vector;
-use sinew::mechanics::Problem;
+use sinew::mechanics::{Equal, Mechanics};
 use sinew::robot::{Element, PlanarNode};
 use sinew::solver::{Chain, Control, Row, RowCurvature, RowId};
 
-fn nodes(problem: &Problem, controls: &[Control<1>]) -> Vec<PlanarNode> {
+fn nodes(problem: &Equal, controls: &[Control<1>]) -> Vec<PlanarNode> {
     let mut nodes = vec![problem.base()];
     for (k, control) in controls.iter().enumerate() {
         nodes.push(problem.stage(k + 1, &nodes[k], control).0);
@@ -19,13 +19,13 @@ fn nodes(problem: &Problem, controls: &[Control<1>]) -> Vec<PlanarNode> {
 }
 
 /// Small turns, so that the robot stands among the obstacles.
-fn standing(problem: &Problem) -> Vec<PlanarNode> {
+fn standing(problem: &Equal) -> Vec<PlanarNode> {
     let turns = (0..problem.stages()).map(|i| 0.1 * (1.7 * i as f64).sin());
     let controls: Vec<_> = turns.map(Control::from_element).collect();
     nodes(problem, &controls)
 }
 
-fn rows(problem: &Problem, nodes: &[PlanarNode]) -> Vec<Row<3, 1>> {
+fn rows(problem: &Equal, nodes: &[PlanarNode]) -> Vec<Row<3, 1>> {
     let mut rows = Vec::new();
     problem.rows(nodes, &problem.free_controls(), &mut rows);
     rows
@@ -204,7 +204,7 @@ fn turns_near_their_limit_have_rows_that_fall_towards_it() {
             .into_iter()
             .filter_map(move |row| match RowKind::of(row.id, count) {
                 RowKind::TurnLimit { segment, sign } => Some((segment, sign, row)),
-                RowKind::Contact { .. } => None,
+                RowKind::Contact { .. } | RowKind::Cable { .. } => None,
             });
         limits.collect::<Vec<_>>()
     };

@@ -84,7 +84,7 @@ impl Candidate {
 
     /// The least clearance of this candidate from an obstacle, in metres;
     /// infinite for an edge whose inside faces no vertex.
-    pub fn least_clearance(&self, nodes: &[PlanarNode], obstacle: &Obstacle) -> f64 {
+    pub fn least_clearance<N: Nodes + ?Sized>(&self, nodes: &N, obstacle: &Obstacle) -> f64 {
         let mut least = f64::INFINITY;
         self.clearances(nodes, obstacle, |_, clearance| least = least.min(clearance));
         least

@@ -33,10 +33,17 @@ pub enum RowKind {
         /// +1 or −1: the sign of the turn at the bound.
         sign: i8,
     },
+    /// The length of a cable, which is summed over the robot.
+    Cable {
+        /// The cable, from 0.
+        cable: usize,
+    },
 }
 
 /// Ids of bounds come after those of all contacts.
 const FIRST_LIMIT: u64 = 1 << 62;
+/// And those of cables after these.
+const FIRST_CABLE: u64 = 1 << 63;
 /// Vertices an obstacle may have, less one for "none".
 const VERTICES: u64 = 1 << 8;
 
@@ -55,11 +62,17 @@ impl RowKind {
             RowKind::TurnLimit { segment, sign } => {
                 FIRST_LIMIT + 2 * segment as u64 + u64::from(sign > 0)
             }
+            RowKind::Cable { cable } => FIRST_CABLE + cable as u64,
         })
     }
 
     /// What an id of the same problem stands for.
     pub fn of(id: RowId, obstacles: usize) -> Self {
+        if id.0 >= FIRST_CABLE {
+            return RowKind::Cable {
+                cable: (id.0 - FIRST_CABLE) as usize,
+            };
+        }
         if id.0 >= FIRST_LIMIT {
             let rest = id.0 - FIRST_LIMIT;
             return RowKind::TurnLimit {

@@ -7,7 +7,7 @@
 
 use crate::geometry::{Core, Obstacle, Vector};
 use crate::mechanics::Problem;
-use crate::robot::PlanarNode;
+use crate::robot::Nodes;
 
 /// Scale an obstacle starts from. Not zero, so that a half-plane's surface and
 /// a polygon's edges keep their directions.
@@ -23,7 +23,11 @@ pub(super) struct Seed {
 
 /// The seed of an obstacle that overlaps the robot's nodes; `None` where it is
 /// clear of them.
-pub(super) fn seed(problem: &Problem, obstacle: &Obstacle, nodes: &[PlanarNode]) -> Option<Seed> {
+pub(super) fn seed<N: Nodes + ?Sized>(
+    problem: &Problem,
+    obstacle: &Obstacle,
+    nodes: &N,
+) -> Option<Seed> {
     // One that only touches is clear: which of the two it is, rounding must
     // not decide.
     let touching = -problem.robot().touching();
@@ -40,7 +44,7 @@ pub(super) fn seed(problem: &Problem, obstacle: &Obstacle, nodes: &[PlanarNode])
             deepest = (least, Some(candidate.node));
         }
     }
-    let node = &nodes[deepest.1?];
+    let node = nodes.node(deepest.1?);
     if matches!(obstacle.core(), Core::HalfPlane) {
         return Some(behind_wall(problem, obstacle, nodes));
     }
@@ -68,7 +72,12 @@ pub(super) fn seed(problem: &Problem, obstacle: &Obstacle, nodes: &[PlanarNode])
 
 /// The obstacle's extreme point against `direction`, moved on until it is
 /// beside the whole robot.
-fn foot(obstacle: &Obstacle, problem: &Problem, nodes: &[PlanarNode], direction: Vector) -> Vector {
+fn foot<N: Nodes + ?Sized>(
+    obstacle: &Obstacle,
+    problem: &Problem,
+    nodes: &N,
+    direction: Vector,
+) -> Vector {
     let extent = obstacle.support(-direction).unwrap_or(0.0);
     let lowest = problem
         .candidates()
@@ -86,12 +95,12 @@ fn foot(obstacle: &Obstacle, problem: &Problem, nodes: &[PlanarNode], direction:
 }
 
 /// A wall starts beyond all parts that may touch.
-fn behind_wall(problem: &Problem, wall: &Obstacle, nodes: &[PlanarNode]) -> Seed {
-    let depth = nodes
-        .iter()
+fn behind_wall<N: Nodes + ?Sized>(problem: &Problem, wall: &Obstacle, nodes: &N) -> Seed {
+    let depth = (0..nodes.count())
+        .map(|i| nodes.node(i))
         .map(|node| -wall.clearance(node.position).distance)
         .fold(0.0, f64::max);
-    let normal = wall.clearance(nodes[0].position).normal;
+    let normal = wall.clearance(nodes.node(0).position).normal;
     let candidates = problem.candidates().iter();
     let reach = candidates.map(|candidate| candidate.lever() + candidate.radius);
     let beyond = reach.fold(0.0, f64::max) + 1e-3 * problem.length();
@@ -104,6 +113,8 @@ fn behind_wall(problem: &Problem, wall: &Obstacle, nodes: &[PlanarNode]) -> Seed
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mechanics::{Equal, Mechanics};
+    use crate::robot::PlanarNode;
     use crate::scene::{Candidates, Scene, Shape};
     use crate::solver::Chain;
 
@@ -120,6 +131,7 @@ mod tests {
     }
 
     fn nodes(problem: &Problem) -> Vec<PlanarNode> {
+        let problem = Equal::new(problem.clone());
         let mut nodes = vec![problem.base()];
         for k in 1..=problem.stages() {
             let free = problem.free_controls()[k - 1];

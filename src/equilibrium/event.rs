@@ -14,6 +14,9 @@ pub struct Event {
     /// the end of its step. Jumps and ends are met with steps of 1e-5 of the
     /// robot's length.
     pub pull: f64,
+    /// The load on the first cable, in newtons, where that and not its pull is given;
+    /// the pull is then 0.
+    pub load: Option<f64>,
     /// What.
     pub what: Occurrence,
 }

@@ -14,6 +14,7 @@
 //! ```
 
 mod approach;
+mod branch;
 mod caution;
 mod event;
 mod run;
@@ -22,9 +23,10 @@ mod solved;
 mod split;
 mod status;
 
+pub use branch::Settings;
 pub use caution::Caution;
 pub use event::{Event, Occurrence};
-pub use run::{Progress, Run, Settings, Start, solve};
+pub use run::{Progress, Run, Start, solve};
 pub use solution::Solution;
 pub use solved::Solved;
 pub use status::{Conflict, EndReason, Status};

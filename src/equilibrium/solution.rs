@@ -5,8 +5,8 @@ use super::split::independent;
 use super::status::Status;
 use crate::contact::{Class, Contact, Multipliers, RowKind};
 use crate::geometry::Vector;
-use crate::mechanics::{Certificate, Certifier, Problem};
-use crate::robot::PlanarNode;
+use crate::mechanics::{CableState, Certificate, Drive, Found, Mechanics, Model, Problem};
+use crate::robot::{Nodes, PlanarNode};
 use crate::solver::{Iteration, Point, RowId};
 use serde::{Deserialize, Serialize};
 
@@ -18,10 +18,14 @@ pub struct Solution {
     pub status: Status,
     /// The pull of this shape, in metres: the goal's, or the last good one.
     pub pull: f64,
+    /// What drives the robot in this shape: the goal's, or the last good one.
+    pub drive: Drive,
     /// The nodes, base first; n + 1. Of a run that has only begun, those it
     /// starts from.
     pub nodes: Vec<PlanarNode>,
-    /// τ, the turn of each segment's shorter link, in radians; n.
+    /// What the solver solves for, in radians, a number a segment: τ, the turn of the
+    /// shorter link of a segment, in the paper's model; b, the bend of an arc, where
+    /// cables slide. n.
     pub turns: Vec<f64>,
     /// β, the bend of each segment, in radians, clockwise; n.
     pub bends: Vec<f64>,
@@ -29,6 +33,8 @@ pub struct Solution {
     pub shears: Vec<f64>,
     /// J = Σ β², in rad².
     pub energy: f64,
+    /// The cables, in the order of the scene.
+    pub cables: Vec<CableState>,
     /// What touches, by candidate.
     pub contacts: Vec<Contact>,
     /// Whether the multipliers are the only ones possible. Where they are not
@@ -43,8 +49,6 @@ pub struct Solution {
     /// The iterations of the last solve: the one that led here or, where the
     /// run ended short of its goal, the one that led no further.
     pub trace: Vec<Iteration>,
-    #[serde(skip)]
-    certifier: Certifier,
 }
 
 impl Default for Solution {
@@ -52,18 +56,19 @@ impl Default for Solution {
         Self {
             status: Status::Unfinished,
             pull: 0.0,
+            drive: Drive::default(),
             nodes: Vec::new(),
             turns: Vec::new(),
             bends: Vec::new(),
             shears: Vec::new(),
             energy: 0.0,
+            cables: Vec::new(),
             contacts: Vec::new(),
             unique_split: true,
             certificate: Certificate::default(),
             events: Vec::new(),
             iterations: 0,
             trace: Vec::new(),
-            certifier: Certifier::default(),
         }
     }
 }
@@ -92,8 +97,7 @@ impl Solution {
     }
 
     /// The contacts' multipliers in the scaled problem's terms, by row.
-    pub(super) fn row_multipliers(&self, problem: &Problem) -> Vec<(RowId, f64)> {
-        let scale = problem.cost_unit();
+    pub(super) fn row_multipliers(&self, problem: &Problem, scale: f64) -> Vec<(RowId, f64)> {
         let pressing = self.contacts.iter().filter(|c| c.multiplier > 0.0);
         let mut multipliers: Vec<(RowId, f64)> = pressing
             .map(|contact| {
@@ -106,43 +110,69 @@ impl Solution {
                 (id, contact.multiplier / scale)
             })
             .collect();
+        if problem.model() == Model::Sliding {
+            let cables = self.cables.iter().enumerate();
+            let tense = cables.filter(|(_, state)| state.tension > 0.0);
+            multipliers.extend(tense.map(|(cable, state)| {
+                let id = RowKind::Cable { cable }.id(problem.obstacles().len());
+                (id, state.tension / scale)
+            }));
+        }
         sort_by_id(&mut multipliers);
         multipliers
     }
 
     /// Fills the shape, the contacts and the certificate from a point of the
     /// scaled problem with its multipliers.
-    pub(super) fn fill(
+    pub(super) fn fill<M: Mechanics<NU>, const NU: usize>(
         &mut self,
-        problem: &Problem,
-        point: &Point<Problem, 3, 1>,
+        problem: &M,
+        point: &Point<M, 3, NU>,
         multipliers: &[f64],
+        certifier: &mut M::Certifier,
     ) {
+        let shape = M::shape(&point.nodes);
         self.pull = problem.pull();
-        self.nodes.clone_from(&point.nodes);
-        self.turns.clear();
-        self.turns.extend(point.controls.iter().map(|u| u[0]));
+        self.drive.clone_from(problem.drive());
+        self.set_nodes(shape);
+        problem.write_controls(&point.controls, &mut self.turns);
         self.bends.clear();
-        let bends = point.nodes.windows(2).map(|w| w[0].angle - w[1].angle);
+        let bends = self.nodes.windows(2).map(|w| w[0].angle - w[1].angle);
         self.bends.extend(bends);
-        self.shears.clear();
-        self.shears.extend(problem.shears(&point.controls));
+        problem.write_shears(&point.controls, &mut self.shears);
+        problem.write_cables(point, multipliers, &mut self.cables);
         self.energy = self.bends.iter().map(|bend| bend * bend).sum();
         let around = problem.around();
         let found = Multipliers {
             multipliers,
             unit: problem.cost_unit(),
         };
-        around.find_contacts(&point.rows, &point.nodes, found, &mut self.contacts);
+        around.find_contacts(&point.rows, shape, found, &mut self.contacts);
         // Where all press, the solver's set of rows is independent.
         let grazes = self.contacts.iter().any(|c| c.class == Class::Grazing);
         self.unique_split = !grazes || independent(point, problem.length());
-        let offset = problem.robot().offset;
-        let points = point
-            .nodes
-            .iter()
-            .map(|node| (node.position, node.at(offset)));
-        self.certificate = self.certifier.certify(problem, points, &self.contacts);
+        let found = Found {
+            nodes: shape,
+            contacts: &self.contacts,
+            cables: &self.cables,
+        };
+        self.certificate = problem.certify(certifier, found);
+        match self.cables.first() {
+            Some(first) => self.pull = first.pull,
+            // The one cable of the paper's model is held by its links.
+            None => self.cables.push(CableState {
+                pull: self.pull,
+                tension: self.certificate.energy_slope,
+                is_slack: false,
+            }),
+        }
+    }
+
+    /// Sets the nodes to those of a shape.
+    pub(super) fn set_nodes<N: Nodes + ?Sized>(&mut self, shape: &N) {
+        self.nodes.clear();
+        self.nodes
+            .extend((0..shape.count()).map(|i| *shape.node(i)));
     }
 
     /// Moves the shape as a whole.

@@ -42,11 +42,12 @@ impl Solved {
                 contact.obstacle < obstacles.len()
                     && candidate.is_some_and(|candidate| candidate.node == contact.node)
             });
-        let (least, most) = problem.robot().pull_range();
-        if !fits || !(least..=most).contains(&solution.pull) {
+        let (least, most) = problem.pull_range();
+        let in_range = (least..=most).contains(&solution.drive.pull());
+        if !fits || !in_range || !problem.drive().resembles(&solution.drive) {
             return None;
         }
-        problem.set_pull(solution.pull);
+        problem.set_drive(&solution.drive);
         Some(Self { problem, solution })
     }
 

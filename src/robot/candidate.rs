@@ -96,11 +96,16 @@ pub enum Joins {
 impl Candidate {
     /// How far from the backbone the candidate is, at most.
     pub fn lever(&self) -> f64 {
+        self.signed_lever().abs()
+    }
+
+    /// The lever of its point, or of its end on the cable's side.
+    pub fn signed_lever(&self) -> f64 {
         match self.element {
             Element::Point { lever }
             | Element::Link { lever }
             | Element::OnLink { lever, .. }
-            | Element::Across { lever } => lever.abs(),
+            | Element::Across { lever } => lever,
         }
     }
 

@@ -67,6 +67,9 @@ pub(super) struct Covariance<const NX: usize, const NU: usize> {
     order: Vec<(usize, usize)>,
     /// The rows summed over stages.
     borders: Vec<Border>,
+    /// Of each sum that stiffens the Hessian its weight, and how it changes the rows
+    /// that are not summed.
+    corrections: Vec<(f64, Vec<f64>)>,
     /// Scratch of their solves.
     weights: Vec<f64>,
     du: Vec<Control<NU>>,
@@ -81,6 +84,7 @@ impl<const NX: usize, const NU: usize> Default for Covariance<NX, NU> {
             places: Vec::new(),
             order: Vec::new(),
             borders: Vec::new(),
+            corrections: Vec::new(),
             weights: Vec::new(),
             du: Vec::new(),
             dz: Vec::new(),
@@ -166,6 +170,13 @@ impl<const NX: usize, const NU: usize> Covariance<NX, NU> {
                 .extend(point.sums.iter().map(|sum| sum.change(du)));
             border.with[point.rows.len() + index] += point.sums[index].row.compliance;
         }
+        self.corrections.clear();
+        self.corrections
+            .extend(riccati.updates().iter().map(|update| {
+                let rows = point.rows.iter();
+                let changes = rows.map(|row| row.change(&update.du, &update.dz));
+                (update.weight, changes.collect())
+            }));
     }
 
     /// The summed row in this place among all rows, if it is one.
@@ -179,7 +190,9 @@ impl<const NX: usize, const NU: usize> Covariance<NX, NU> {
             return border.with[row];
         }
         let response = &self.responses[self.places[row]];
-        response.within(response)
+        let corrections = self.corrections.iter();
+        let taken = corrections.map(|(weight, changes)| weight * changes[row] * changes[row]);
+        response.within(response) - taken.sum::<f64>()
     }
 
     /// The entries of S of one row against some others, in their order. Costs
@@ -233,12 +246,25 @@ impl<const NX: usize, const NU: usize> Covariance<NX, NU> {
             }
             column[*slot] = other.after.dot(&pull);
         }
+        for (weight, changes) in &self.corrections {
+            for (entry, other) in column.iter_mut().zip(others) {
+                if let Some(change) = changes.get(*other) {
+                    *entry -= weight * changes[row] * change;
+                }
+            }
+        }
     }
 
     /// `product` = S `weights`, both one entry a row of the point.
     pub fn multiply(&self, weights: &[f64], product: &mut [f64]) {
         product.iter_mut().for_each(|entry| *entry = 0.0);
         self.multiply_stages(weights, product);
+        for (weight, changes) in &self.corrections {
+            let along: f64 = changes.iter().zip(weights).map(|(c, w)| c * w).sum();
+            for (entry, change) in product.iter_mut().zip(changes) {
+                *entry -= weight * along * change;
+            }
+        }
         let own = self.responses.len();
         for (index, border) in self.borders.iter().enumerate() {
             let weight = weights[own + index];

@@ -174,7 +174,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Point<C, NX, NU> {
     /// The energy in the rows that give way: the least ½ε λ² with which g ≥ 0.
     pub fn compliant_energy(&self) -> f64 {
         let soft = self.sums.iter().filter(|sum| sum.row.compliance > 0.0);
-        soft.map(|sum| 0.5 * (-sum.value).max(0.0).powi(2) / sum.row.compliance)
+        soft.map(|sum| 0.5 * (-sum.value).max(0.0) * (-sum.value).max(0.0) / sum.row.compliance)
             .sum()
     }
 

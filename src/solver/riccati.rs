@@ -12,6 +12,12 @@
 //!
 //! H is positive definite exactly where every Q_uu is (Wright 1993; it is the
 //! block LDLᵀ of H in the tip-to-base order). Factoring and solving cost O(n).
+//!
+//! Where H is not, H + ρ c cᵀ with the gradient c of a row summed over the stages may
+//! be: a shape that is held by its cable's length need not be one that stays where it
+//! is under the cable's tension. The sum has no blocks; its inverse follows from H⁻¹
+//! (Sherman, Morrison, Woodbury), whose pivots then may be negative. With as many
+//! changes of sign of 1 + ρ cᵀH⁻¹c as H has negative eigenvalues the sum is positive.
 
 use super::chain::{Chain, Control, Stage, State};
 use super::hessian::Hessian;
@@ -43,10 +49,29 @@ struct Factor<const NX: usize, const NU: usize> {
     gain: SMatrix<f64, NU, NX>,
 }
 
+/// What a stiffened sum adds to the inverse: −κ w wᵀ with w = H⁻¹c.
+#[derive(Clone, Debug)]
+pub(super) struct Update<const NX: usize, const NU: usize> {
+    /// The sum's place among the sums.
+    pub sum: usize,
+    /// ρ.
+    pub stiffness: f64,
+    /// κ = ρ/(1 + ρ cᵀw).
+    pub weight: f64,
+    /// c.
+    gradient: Vec<Control<NU>>,
+    /// w …
+    pub du: Vec<Control<NU>>,
+    /// … and the states' part of it.
+    pub dz: Vec<State<NX>>,
+}
+
 /// The factor of a Hessian, tip to base.
 #[derive(Clone, Debug)]
 pub struct Riccati<const NX: usize, const NU: usize> {
     factors: Vec<Factor<NX, NU>>,
+    /// The sums that stiffen it.
+    updates: Vec<Update<NX, NU>>,
     /// Scratch of a solve: Q_uu⁻¹ (b_u + Bᵀ s), one a stage.
     feedforward: Vec<Control<NU>>,
     /// The eigenvector of the least eigenvalue of the pivot that stopped the
@@ -58,6 +83,7 @@ impl<const NX: usize, const NU: usize> Default for Riccati<NX, NU> {
     fn default() -> Self {
         Self {
             factors: Vec::new(),
+            updates: Vec::new(),
             feedforward: Vec::new(),
             worst: SVector::zeros(),
         }
@@ -76,6 +102,42 @@ fn positive_inverse<const NU: usize>(
     let factor: Cholesky<f64, Const<NU>> = Cholesky::new(matrix)?;
     let positive = (0..NU).all(|i| factor.l_dirty()[(i, i)] * factor.l_dirty()[(i, i)] > least);
     positive.then(|| factor.inverse())
+}
+
+/// A⁻¹ for a symmetric A none of whose eigenvalues is smaller than `least`, and how
+/// many of them are negative.
+fn signed_inverse<const NU: usize>(
+    matrix: SMatrix<f64, NU, NU>,
+    least: f64,
+) -> Option<(SMatrix<f64, NU, NU>, usize)> {
+    if let Some(inverse) = positive_inverse(matrix, least) {
+        return Some((inverse, 0));
+    }
+    // By Gauss and Jordan along the diagonal, largest pivot first: congruence keeps
+    // the signs.
+    let mut left = matrix;
+    let mut inverse = SMatrix::<f64, NU, NU>::identity();
+    let (mut negative, mut done) = (0, [false; NU]);
+    for _ in 0..NU {
+        let open = (0..NU).filter(|i| !done[*i]);
+        let largest = open.max_by(|a, b| left[(*a, *a)].abs().total_cmp(&left[(*b, *b)].abs()))?;
+        let pivot = left[(largest, largest)];
+        if pivot.abs() <= least {
+            return None;
+        }
+        negative += usize::from(pivot < 0.0);
+        done[largest] = true;
+        let (row, own) = (left.row(largest) / pivot, inverse.row(largest) / pivot);
+        for i in (0..NU).filter(|i| *i != largest) {
+            let factor = left[(i, largest)];
+            let (cut, also) = (left.row(i) - factor * row, inverse.row(i) - factor * own);
+            left.set_row(i, &cut);
+            inverse.set_row(i, &also);
+        }
+        left.set_row(largest, &row);
+        inverse.set_row(largest, &own);
+    }
+    Some((inverse, negative))
 }
 
 /// The eigenvector of the least eigenvalue, by shifted power iteration: 40
@@ -103,6 +165,21 @@ impl<const NX: usize, const NU: usize> Riccati<NX, NU> {
         shift: f64,
         least_pivot: f64,
     ) -> Result<(), NotPositive> {
+        self.factor_signed(stages, hessian, (shift, least_pivot), 0)
+            .map(|_| ())
+    }
+
+    /// The same, where H may have up to `most` negative eigenvalues; returns how many
+    /// it has.
+    fn factor_signed(
+        &mut self,
+        stages: &[Stage<NX, NU>],
+        hessian: &Hessian<NX, NU>,
+        (shift, least_pivot): (f64, f64),
+        most: usize,
+    ) -> Result<usize, NotPositive> {
+        self.updates.clear();
+        let mut negative = 0;
         let n = stages.len();
         let empty = Factor {
             inverse: SMatrix::zeros(),
@@ -121,15 +198,71 @@ impl<const NX: usize, const NU: usize> Riccati<NX, NU> {
             }
             let uz = block.mixed.transpose() + stage.by_control.tr_mul(&value_by_state);
             let zz = block.by_state + stage.by_state.tr_mul(&value_by_state);
-            let Some(inverse) = positive_inverse(uu, least_pivot) else {
+            let found = if most == 0 {
+                positive_inverse(uu, least_pivot).map(|inverse| (inverse, 0))
+            } else {
+                signed_inverse(uu, least_pivot).filter(|(_, count)| negative + count <= most)
+            };
+            let Some((inverse, count)) = found else {
                 self.worst = least_direction(uu);
                 return Err(NotPositive { stage: k });
             };
+            negative += count;
             let gain = inverse * uz;
             value = hessian.nodes[k - 1] + zz - uz.tr_mul(&gain);
             self.factors[k - 1] = Factor { inverse, gain };
         }
-        Ok(())
+        Ok(negative)
+    }
+
+    /// Factors H stiffened by the sums of a point that `holds` names, by their places:
+    /// by each only where it would be negative without, and no more than that takes.
+    pub(super) fn factor_stiffened<C: Chain<NX, NU>>(
+        &mut self,
+        point: &Point<C, NX, NU>,
+        hessian: &Hessian<NX, NU>,
+        least_pivot: f64,
+        holds: impl Fn(usize) -> bool,
+    ) -> Result<(), NotPositive> {
+        let held = (0..point.sums.len()).filter(|sum| holds(*sum)).count();
+        let mut negative = self.factor_signed(&point.stages, hessian, (0.0, least_pivot), held)?;
+        for (sum, row) in point.sums.iter().enumerate() {
+            if negative == 0 {
+                break;
+            }
+            if !holds(sum) {
+                continue;
+            }
+            let mut weights = vec![0.0; point.row_count()];
+            weights[point.rows.len() + sum] = 1.0;
+            let (mut du, mut dz) = (Vec::new(), Vec::new());
+            self.solve(point, Source::Rows(&weights), &mut du, &mut dz);
+            let curvature = row.change(&du);
+            if curvature < 0.0 {
+                // Turns cᵀH⁻¹c into its opposite.
+                let stiffness = -2.0 / curvature;
+                negative -= 1;
+                self.updates.push(Update {
+                    sum,
+                    stiffness,
+                    weight: -stiffness,
+                    gradient: row.gradient.clone(),
+                    du,
+                    dz,
+                });
+            }
+        }
+        if negative == 0 {
+            Ok(())
+        } else {
+            self.updates.clear();
+            Err(NotPositive { stage: 1 })
+        }
+    }
+
+    /// The sums that stiffen the factor.
+    pub(super) fn updates(&self) -> &[Update<NX, NU>] {
+        &self.updates
     }
 
     /// Q_uu⁻¹ and the gain K of a stage, from 1.
@@ -194,6 +327,21 @@ impl<const NX: usize, const NU: usize> Riccati<NX, NU> {
             sum = dz[k - 1] + stage.by_state.tr_mul(&sum) - factor.gain.tr_mul(&by_control);
         }
         self.forward(stages, n, du, dz);
+        for update in &self.updates {
+            let along: f64 = update
+                .gradient
+                .iter()
+                .zip(&*du)
+                .map(|(c, d)| c.dot(d))
+                .sum();
+            let share = update.weight * along;
+            for (d, w) in du.iter_mut().zip(&update.du) {
+                *d -= share * w;
+            }
+            for (d, w) in dz.iter_mut().zip(&update.dz) {
+                *d -= share * w;
+            }
+        }
     }
 
     /// After [`Riccati::factor`] stopped at `stage`: a direction of negative

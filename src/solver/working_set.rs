@@ -118,6 +118,12 @@ impl<const NX: usize, const NU: usize> WorkingSet<NX, NU> {
         terms: Terms,
     ) {
         self.reset(point, guess, terms);
+        if C::SUM_ROWS {
+            for update in riccati.updates() {
+                let value = point.sums[update.sum].value;
+                self.offsets[point.rows.len() + update.sum] = -update.stiffness * value;
+            }
+        }
         riccati.solve(
             point,
             Source::Step(&self.offsets),

@@ -65,6 +65,10 @@ struct Bound<const NX: usize, const NU: usize> {
 }
 
 impl<const NX: usize, const NU: usize> MadeUp<NX, NU> {
+    /// What rows inside a stage have to spare: so little that some press, where there
+    /// are states enough to meet them all.
+    const ROOM: f64 = if NX > 2 { -0.2 } else { 0.4 };
+
     /// Controls that lead nowhere in particular.
     pub fn controls(&self) -> Vec<Control<NU>> {
         (1..=self.stages).map(|k| 0.6 * vector(k, 90)).collect()
@@ -87,7 +91,7 @@ impl<const NX: usize, const NU: usize> MadeUp<NX, NU> {
         }
     }
 
-    /// The row inside a stage: a sine along this, less 0.2.
+    /// The row inside a stage: a sine along this, and [`Self::ROOM`].
     fn inside(k: usize) -> Wave<NX, NU> {
         Wave {
             state: vector(k, 22),
@@ -224,7 +228,7 @@ impl<const NX: usize, const NU: usize> Chain<NX, NU> for MadeUp<NX, NU> {
             rows.push(Row {
                 id: RowId(10 * stage as u64 + 1),
                 stage,
-                value: phase.sin() - 0.2,
+                value: phase.sin() + Self::ROOM,
                 before: Some(phase.cos() * inside.state),
                 after: State::zeros(),
                 control: phase.cos() * inside.control,
@@ -254,7 +258,7 @@ impl<const NX: usize, const NU: usize> Chain<NX, NU> for MadeUp<NX, NU> {
     fn row_curvature(&self, row: &Row<NX, NU>, nodes: &[State<NX>]) -> RowCurvature<NX, NU> {
         if row.id.0 % 10 == 1 {
             let inside = Self::inside(row.stage);
-            let size = -(row.value + 0.2);
+            let size = Self::ROOM - row.value;
             return RowCurvature::Inside(DynamicsCurvature {
                 by_state: size * inside.state * inside.state.transpose(),
                 mixed: size * inside.state * inside.control.transpose(),

@@ -1,11 +1,11 @@
 //! A robot's body amid shapes of every kind, for derivatives.
 
-use sinew::mechanics::Problem;
+use sinew::mechanics::{Equal, Mechanics, Problem};
 use sinew::scene::{Candidates, Scene, Shape};
 use sinew::solver::{Chain, Control};
 
 /// A robot's body amid shapes so near that points, links and disks have rows.
-pub fn crowded() -> Problem {
+pub fn crowded() -> Equal {
     let mut scene = Scene::default();
     scene.robot.disk_radius_mm = Some(14.0);
     scene.robot.disk_thickness_mm = 1.0;
@@ -38,11 +38,11 @@ pub fn crowded() -> Problem {
         rotation_deg: 170.0,
         corner_radius_mm: 0.0,
     });
-    Problem::new(&scene).unwrap()
+    Equal::new(Problem::new(&scene).unwrap())
 }
 
 /// Turns with a large one to either side here and there.
-pub fn controls(problem: &Problem) -> Vec<Control<1>> {
+pub fn controls(problem: &Equal) -> Vec<Control<1>> {
     let turn = |i: usize| match i % 9 {
         3 => 1.3,
         7 => -1.4,

@@ -28,6 +28,7 @@ mod tests;
 use crate::contact::Contact;
 use crate::geometry::{Vector, cross, perpendicular};
 use crate::math::greatest;
+use crate::mechanics::touching::certify_contacts;
 use crate::mechanics::{Certificate, Condition, Problem};
 use crate::robot::{Candidate, Element};
 use nalgebra::{SMatrix, SVector};
@@ -88,13 +89,6 @@ impl Certifier {
         let length = problem.length();
         let sizes = contacts.iter().map(|contact| contact.multiplier.abs());
         let most = sizes.fold(0.0, f64::max);
-        let (mut complementarity, mut dual) = (0.0, 0.0);
-        for contact in contacts {
-            let share = contact.multiplier / most.max(f64::MIN_POSITIVE);
-            dual = greatest(dual, -share);
-            let gap = share.abs() * self.gap(problem, contact) / length;
-            complementarity = greatest(complementarity, gap);
-        }
         self.add_energy();
         self.add_contacts(problem, contacts);
         let n = problem.robot().segments;
@@ -102,15 +96,10 @@ impl Certifier {
         let bending = 2.0 * (free_bend + LEAST_BEND) / problem.robot().offset;
         let (residual, cable_sum) = self.balance_links();
         let mut certificate = Certificate::default();
-        for (condition, left) in [
-            (Condition::Stationarity, residual / bending.max(most)),
-            (Condition::Links, self.link_error(problem) / length),
-            (Condition::Penetration, self.penetration(problem) / length),
-            (Condition::Complementarity, complementarity),
-            (Condition::Dual, dual),
-        ] {
-            certificate.set(condition, left);
-        }
+        certificate.set(Condition::Stationarity, residual / bending.max(most));
+        certificate.set(Condition::Links, self.link_error(problem) / length);
+        let ends = |candidate: &Candidate| self.ends(problem, candidate);
+        certify_contacts(problem, contacts, ends, &mut certificate);
         certificate.set(Condition::Orientation, self.orientation());
         certificate.set(Condition::Minimum, self.is_minimum(problem));
         // ∂l_a/∂l = −1/n for every cable link.
@@ -143,39 +132,6 @@ impl Certifier {
             cross(mean, self.backbone[i] - self.backbone[i - 1]) > 0.0
                 && cross(mean, self.cable[i] - self.cable[i - 1]) > 0.0
         })
-    }
-
-    /// The greatest depth of a candidate inside an obstacle, at least 0.
-    fn penetration(&self, problem: &Problem) -> f64 {
-        let mut deepest = 0.0_f64;
-        for candidate in problem.candidates() {
-            let (start, end) = self.ends(problem, candidate);
-            for obstacle in problem.obstacles() {
-                let near = candidate.radius + (end - start).norm();
-                if obstacle.is_beyond(start, near) {
-                    continue;
-                }
-                let distance = match candidate.element {
-                    Element::Point { .. } | Element::OnLink { .. } => {
-                        obstacle.clearance(start).distance
-                    }
-                    Element::Link { .. } | Element::Across { .. } => {
-                        obstacle.edge_distance(start, end)
-                    }
-                };
-                // The base cannot move, and is no candidate: a scene that covers it
-                // is refused. Of the links that start there, what is deeper counts.
-                let at_base = match candidate.element {
-                    Element::Link { .. } if candidate.node == 1 => {
-                        let start = obstacle.clearance(start).distance;
-                        (candidate.radius - start).max(0.0)
-                    }
-                    _ => 0.0,
-                };
-                deepest = greatest(deepest, candidate.radius - distance - at_base);
-            }
-        }
-        deepest
     }
 
     /// The two ends of a candidate; the same for a point.

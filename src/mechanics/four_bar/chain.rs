@@ -21,7 +21,21 @@ pub struct Bend {
     bend_acceleration: f64,
 }
 
-impl Chain<3, 1> for Problem {
+/// A problem with the paper's mechanics: every segment of the cable shortens alike.
+#[derive(Debug)]
+pub struct Equal(pub(super) Problem);
+
+impl Clone for Equal {
+    fn clone(&self) -> Self {
+        Self(self.0.clone())
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        self.0.clone_from(&source.0);
+    }
+}
+
+impl Chain<3, 1> for Equal {
     type Node = PlanarNode;
     type Kept = Bend;
 

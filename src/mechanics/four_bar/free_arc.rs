@@ -62,7 +62,7 @@ impl Robot {
 
 #[cfg(test)]
 mod tests {
-    use crate::mechanics::Problem;
+    use crate::mechanics::{Equal, Mechanics, Problem};
     use crate::scene::Scene;
     use crate::solver::Chain;
 
@@ -84,7 +84,7 @@ mod tests {
         ] {
             scene.robot.segments = segments;
             scene.actuation.pull_mm = pull_mm;
-            let problem = Problem::new(&scene).unwrap();
+            let problem = Equal::new(Problem::new(&scene).unwrap());
             let controls = problem.free_controls();
             let links = controls.iter().enumerate();
             let tip = links.fold(problem.base(), |node, (k, turn)| {

@@ -10,6 +10,6 @@ mod free_arc;
 mod linkage;
 
 pub use certifier::Certifier;
-pub use chain::Bend;
+pub use chain::{Bend, Equal};
 pub use free_arc::FreeArc;
 pub use linkage::{FourBar, MOST_BEND, MOST_TURN};

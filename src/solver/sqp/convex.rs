@@ -8,13 +8,14 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     /// Factors the Hessian, stiffened by the active rows if that is what it
     /// takes; returns the stiffness, and whether that was enough.
     pub(super) fn factor_exact(&mut self, chain: &C) -> (f64, Result<(), NotPositive>) {
-        let mut outcome = self.try_factor(0.0);
+        let mut outcome = self.try_held();
         let mut before = 0.0;
         let bound = self.penalty(chain);
         // The curvature to outweigh is that of λ ∇²g.
         let most = self.multipliers.iter().fold(0.0_f64, |a, b| a.max(*b));
         let weight = (most * chain.row_scale()).max(1.0);
-        if self.multipliers.iter().any(|m| held(*m, bound)) {
+        let rows = self.point.rows.iter().zip(&self.multipliers);
+        if outcome.is_err() && rows.into_iter().any(|(_, m)| held(*m, bound)) {
             for stiffness in STIFFNESSES {
                 if outcome.is_ok() {
                     break;
@@ -26,10 +27,33 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
                     }
                 }
                 before = stiffness;
-                outcome = self.try_factor(0.0);
+                outcome = self.try_held();
             }
         }
         (before, outcome)
+    }
+
+    /// Factors the Hessian as it is or, where that is not positive, stiffened by the
+    /// summed rows in the set.
+    fn try_held(&mut self) -> Result<(), NotPositive> {
+        let outcome = self.try_factor(0.0);
+        if !C::SUM_ROWS || outcome.is_ok() {
+            return outcome;
+        }
+        let summed = &self.multipliers[self.point.rows.len()..];
+        let is_held = |sum: usize| summed[sum] > 0.0;
+        if !summed.iter().any(|multiplier| *multiplier > 0.0) {
+            return outcome;
+        }
+        let (point, hessian) = (&self.point, &self.hessian);
+        let held = self
+            .riccati
+            .factor_stiffened(point, hessian, LEAST_PIVOT, is_held);
+        if held.is_err() {
+            // Where it stopped is where the way down is.
+            return self.try_factor(0.0);
+        }
+        held
     }
 
     pub(super) fn try_factor(&mut self, shift: f64) -> Result<(), NotPositive> {

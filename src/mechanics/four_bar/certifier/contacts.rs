@@ -4,28 +4,10 @@
 use super::{Block, Certifier, Gradient, Pair, pair};
 use crate::contact::Contact;
 use crate::geometry::{Edge, Vector, perpendicular};
-use crate::math::greatest;
 use crate::mechanics::Problem;
 use crate::robot::Element;
 
 impl Certifier {
-    /// How far a contact is from touching where its force acts, in metres:
-    /// along its normal from the obstacle to the whole candidate, which no
-    /// other direction exceeds, or at the point of the candidate that is
-    /// pressed, whichever is more.
-    pub(super) fn gap(&self, problem: &Problem, contact: &Contact) -> f64 {
-        let candidate = &problem.candidates()[contact.candidate];
-        let obstacle = &problem.obstacles()[contact.obstacle];
-        let normal = contact.normal;
-        let (start, end) = self.ends(problem, candidate);
-        // A wall reaches as far as it likes but along its normal.
-        let surface = obstacle.support(normal).unwrap_or(f64::INFINITY) + candidate.radius;
-        let along_normal = normal.dot(&start).min(normal.dot(&end)) - surface;
-        let pressed = start + contact.along * (end - start);
-        let there = obstacle.clearance(pressed).distance - candidate.radius;
-        greatest(along_normal.abs(), there.abs())
-    }
-
     /// Subtracts Σ λ g.
     pub(super) fn add_contacts(&mut self, problem: &Problem, contacts: &[Contact]) {
         self.pressing.clear();

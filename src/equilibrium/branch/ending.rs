@@ -1,12 +1,13 @@
 //! How a run ends: with which status, and with which shape.
 
-use super::{Phase, Run};
+use super::{Branch, Phase};
 use crate::contact::RowKind;
 use crate::equilibrium::event::Occurrence;
 use crate::equilibrium::status::{Conflict, EndReason, Status};
+use crate::mechanics::Mechanics;
 use crate::solver::Settings;
 
-impl Run {
+impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
     /// Ends short of the goal with the last equilibrium, and the trace of the
     /// solve that did not lead on.
     pub(super) fn end(&mut self, status: Status) {
@@ -27,8 +28,9 @@ impl Run {
     }
 
     pub(super) fn fill(&mut self, status: Status) {
-        self.solution
-            .fill(&self.now, self.sqp.point(), self.sqp.multipliers());
+        let (point, multipliers) = (self.sqp.point(), self.sqp.multipliers());
+        let certifier = &mut self.certifier;
+        self.solution.fill(&self.now, point, multipliers, certifier);
         self.solution.move_by(self.origin);
         self.show_world();
         let certified = self.solution.certificate.holds();
@@ -62,7 +64,7 @@ impl Run {
                         obstacle,
                     })
                 }
-                RowKind::TurnLimit { .. } => None,
+                RowKind::TurnLimit { .. } | RowKind::Cable { .. } => None,
             })
             .collect();
         conflicts.dedup();

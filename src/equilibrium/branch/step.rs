@@ -1,11 +1,13 @@
 //! One step along the branch: its solve, and whether to take it.
 
-use super::{EASY, LAST_ITERATIONS, NARROWEST, Phase, Run, STEP_ITERATIONS};
+use super::{Branch, EASY, LAST_ITERATIONS, NARROWEST, Phase, STEP_ITERATIONS};
 use crate::equilibrium::event::Occurrence;
 use crate::equilibrium::status::{EndReason, Status};
+use crate::mechanics::Mechanics;
+use crate::robot::Nodes;
 use crate::solver::{Outcome, Progress, Settings};
 
-impl Run {
+impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
     /// The share of the leg that the next step leads to.
     pub(super) fn target(&self) -> f64 {
         let target = self.at + self.step;
@@ -38,10 +40,12 @@ impl Run {
         );
         // Between the anchor and where the solve starts, the obstacles have moved
         // and so has the robot, by the change of the pull at the same turns.
-        self.here.set_between(&self.from, &self.to, self.at);
+        let (from, to, at) = (&self.from, &self.to, self.at);
+        self.here.change(|here| here.set_between(from, to, at));
         let (before, after) = (&self.anchor.nodes, &self.sqp.point().nodes);
+        let (before, after) = (M::shape(before), M::shape(after));
         let (here, now) = (self.here.around(), self.now.around());
-        if before.len() == after.len() && here.motion_passes(now, before, after) {
+        if before.count() == after.count() && here.motion_passes(now, before, after) {
             self.shorten(EndReason::Blocked, NARROWEST * self.least_step);
             return;
         }

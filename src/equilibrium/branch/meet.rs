@@ -1,21 +1,21 @@
 //! How a run meets obstacles that come, go or change their places in the list.
 
-use super::{Rows, Run};
+use super::{Branch, Rows};
 use crate::contact::RowKind;
 use crate::equilibrium::approach;
 use crate::equilibrium::event::{Event, Occurrence};
 use crate::equilibrium::solution::sort_by_id;
 use crate::geometry::Obstacle;
-use crate::mechanics::Problem;
+use crate::mechanics::{Drive, Mechanics, Problem};
 use crate::solver::RowId;
 
-impl Run {
-    /// Begins at the anchor, at a pull, with the goal's obstacles where they
+impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
+    /// Begins at the anchor, driven as given, with the goal's obstacles where they
     /// are `known` to be or, where none of the kind is known, grown from
     /// nothing if they overlap.
-    pub(super) fn meet_obstacles(&mut self, known: &[Obstacle], pull: f64) {
+    pub(super) fn meet_obstacles(&mut self, known: &[Obstacle], drive: &Drive) {
         let mut first = self.goal.clone();
-        first.set_pull(pull);
+        first.change(|first| first.set_drive(drive));
         let mut overlapping = false;
         for (index, obstacle) in self.goal.obstacles().iter().enumerate() {
             // One that stands where it stood is that one, wherever it is in
@@ -34,21 +34,27 @@ impl Run {
                 continue;
             }
             if let Some(here) = here {
-                first.set_obstacle(index, here.clone());
-            } else if let Some(seed) = approach::seed(&self.goal, obstacle, &self.anchor.nodes) {
+                first.change(|first| first.set_obstacle(index, here.clone()));
+            } else if let Some(seed) =
+                approach::seed(&self.goal, obstacle, M::shape(&self.anchor.nodes))
+            {
                 overlapping = true;
-                first.set_obstacle(index, seed.obstacle);
+                first.change(|first| first.set_obstacle(index, seed.obstacle));
                 let what = Occurrence::PushedAside {
                     obstacle: index,
                     direction: seed.direction,
                 };
-                self.solution.events.push(Event { pull, what });
+                self.solution.events.push(Event {
+                    pull: drive.pull(),
+                    load: drive.load(),
+                    what,
+                });
             }
         }
         self.from = first;
         self.to.clone_from(&self.goal);
         if overlapping {
-            self.to.set_pull(pull);
+            self.to.change(|to| to.set_drive(drive));
         }
         self.anchor.rows = self.anchor.rows.renamed(known, self.goal.obstacles());
         self.grown_first = overlapping;
@@ -76,7 +82,7 @@ impl Rows {
                 };
                 Some(kind.id(now.len()))
             }
-            RowKind::TurnLimit { .. } => Some(id),
+            RowKind::TurnLimit { .. } | RowKind::Cable { .. } => Some(id),
         };
         let rename = |rows: &[(RowId, f64)]| {
             let named = rows

@@ -1,9 +1,11 @@
 //! What a run notes on its way: contacts made and lost, jumps.
 
-use super::{Rows, Run};
+use super::{Branch, Rows, pressing};
 use crate::contact::RowKind;
 use crate::equilibrium::event::{Event, Occurrence};
 use crate::math::within;
+use crate::mechanics::Mechanics;
+use crate::robot::Nodes;
 use crate::solver::RowId;
 
 /// What a change of a row's standing makes.
@@ -13,11 +15,12 @@ enum Made {
     Gap,
 }
 
-impl Run {
+impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
     /// Notes something at the present pull.
     pub(super) fn note(&mut self, what: Occurrence) {
         self.solution.events.push(Event {
             pull: self.now.pull(),
+            load: self.now.drive().load(),
             what,
         });
     }
@@ -25,8 +28,6 @@ impl Run {
     /// Notes which contacts the step made and lost.
     pub(super) fn note_contacts(&mut self) {
         let count = self.now.obstacles().len();
-        let rows = self.sqp.point().rows.iter().zip(self.sqp.multipliers());
-        let pressing = rows.filter(|(_, multiplier)| **multiplier > 0.0);
         let mut old = self
             .anchor
             .rows
@@ -57,33 +58,40 @@ impl Run {
                         obstacle,
                     },
                 };
-                let pull = self.pull_at(self.crossing(id, made));
-                events.push(Event { pull, what });
+                let (pull, load) = self.inputs_at(self.crossing(id, made));
+                events.push(Event { pull, load, what });
             }
         };
-        for (row, _) in pressing {
-            while let Some(id) = old.next_if(|id| *id < row.id) {
+        for (row, _) in pressing(&self.sqp) {
+            while let Some(id) = old.next_if(|id| *id < row) {
                 note(id, Made::Gap);
             }
-            if old.next_if_eq(&row.id).is_none() {
-                note(row.id, Made::Contact);
+            if old.next_if_eq(&row).is_none() {
+                note(row, Made::Contact);
             }
         }
         old.for_each(|id| note(id, Made::Gap));
         // In the order they happened along the step.
-        let forward = self.to.pull() >= self.from.pull();
+        let input = |(pull, load): (f64, Option<f64>)| load.unwrap_or(pull);
+        let forward = input(self.inputs_at(1.0)) >= input(self.inputs_at(0.0));
         events[first..].sort_by(|a, b| {
+            let (a, b) = (input((a.pull, a.load)), input((b.pull, b.load)));
             if forward {
-                a.pull.total_cmp(&b.pull)
+                a.total_cmp(&b)
             } else {
-                b.pull.total_cmp(&a.pull)
+                b.total_cmp(&a)
             }
         });
         self.solution.events = events;
     }
 
-    fn pull_at(&self, share: f64) -> f64 {
-        (1.0 - share) * self.from.pull() + share * self.to.pull()
+    /// The first cable's pull and, where that is what is given, its load at a share
+    /// of the leg.
+    fn inputs_at(&self, share: f64) -> (f64, Option<f64>) {
+        let (from, to) = (self.from.drive(), self.to.drive());
+        let mix = |a: f64, b: f64| (1.0 - share) * a + share * b;
+        let loads = from.load().zip(to.load());
+        (mix(from.pull(), to.pull()), loads.map(|(a, b)| mix(a, b)))
     }
 
     /// The share of the leg at which a row's clearance (or, for a contact that
@@ -116,8 +124,10 @@ impl Run {
 
     /// The node that the step moved farthest, and how far.
     pub(super) fn farthest_node(&self) -> (usize, f64) {
-        let pairs = self.anchor.nodes.iter().zip(&self.sqp.point().nodes);
-        let distances = pairs.map(|(a, b)| (b.position - a.position).norm());
+        let (from, to) = (&self.anchor.nodes, &self.sqp.point().nodes);
+        let (from, to) = (M::shape(from), M::shape(to));
+        let moved = |i: usize| to.node(i).position - from.node(i).position;
+        let distances = (0..from.count().min(to.count())).map(|i| moved(i).norm());
         distances.enumerate().fold(
             (0, 0.0),
             |most, next| if next.1 > most.1 { next } else { most },

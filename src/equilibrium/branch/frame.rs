@@ -1,15 +1,14 @@
 //! Between the world and the frame of the robot's base, in which a run works.
 //! It moves whole problems; the solution moves itself.
 
-use super::Run;
+use super::Branch;
 use crate::geometry::Vector;
-use crate::mechanics::Problem;
-use crate::solver::Chain;
+use crate::mechanics::{Mechanics, Problem};
 use std::borrow::Cow;
 
 /// The problem relative to the robot's base.
 pub(super) fn at_base(problem: &Problem) -> Cow<'_, Problem> {
-    let base = problem.base().position;
+    let base = problem.robot().base.position;
     if base == Vector::zeros() {
         Cow::Borrowed(problem)
     } else {
@@ -17,8 +16,8 @@ pub(super) fn at_base(problem: &Problem) -> Cow<'_, Problem> {
     }
 }
 
-impl Run {
-    /// Keeps the present problem as [`Run::problem`] tells it.
+impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
+    /// Keeps the present problem as [`Branch::problem`] tells it.
     pub(super) fn show_world(&mut self) {
         let elsewhere = self.origin != Vector::zeros();
         self.world = elsewhere.then(|| self.now.moved(self.origin));

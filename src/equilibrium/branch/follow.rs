@@ -8,8 +8,9 @@
 //! tangent there leads on along the other branch, not back to the anchor. So a
 //! step is judged from both ends.
 
-use super::{Run, UNNOTICED};
+use super::{Branch, UNNOTICED, pressing};
 use crate::contact::RowKind;
+use crate::mechanics::Mechanics;
 use crate::solver::{Control, Settings, Tunnelling};
 
 /// A step that moves no part of a disk farther than this, over the backbone's
@@ -36,7 +37,7 @@ const LOOK_BACK: f64 = 0.05;
 /// lifts off: by 45°.
 const SLIDE: f64 = 0.7;
 
-impl Run {
+impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
     /// Whether the step's end is on the branch the anchor is on: its first
     /// iteration explains most of it, and so does the tangent at its end.
     pub(super) fn follows(&mut self) -> bool {
@@ -45,6 +46,7 @@ impl Run {
         let predicted = farthest(&self.started, &self.predicted);
         let rest = farthest(&self.predicted, end);
         let (from, to) = (&self.anchor.nodes, &self.sqp.point().nodes);
+        let (from, to) = (M::shape(from), M::shape(to));
         let seen = self.now.around().greatest_motion(from, to) > UNSEEN * self.now.length();
         let scale = self.now.control_scale();
         let unnoticed = UNNOTICED * scale;
@@ -85,6 +87,7 @@ impl Run {
             if touches { SLIDE } else { 1.0 }
         };
         let (from, to) = (&self.anchor.nodes, &self.sqp.point().nodes);
+        let (from, to) = (M::shape(from), M::shape(to));
         self.here
             .around()
             .motion_dips(self.now.around(), from, to, least_cosine)
@@ -95,7 +98,8 @@ impl Run {
     fn leads_back(&mut self, share: f64) -> bool {
         let target = self.target();
         let near = target - LOOK_BACK * (target - self.at);
-        self.here.set_between(&self.from, &self.to, near);
+        let (from, to) = (&self.from, &self.to);
+        self.here.change(|here| here.set_between(from, to, near));
         let settings = Settings {
             tunnelling: Tunnelling::Allowed,
             ..Settings::default()
@@ -115,16 +119,13 @@ impl Run {
     }
 
     fn find_pressing(&mut self) {
-        let rows = self.sqp.point().rows.iter().zip(self.sqp.multipliers());
-        let pressing = rows.filter(|(_, multiplier)| **multiplier > 0.0);
         self.pressing.clear();
-        self.pressing
-            .extend(pressing.map(|(row, multiplier)| (row.id, *multiplier)));
+        self.pressing.extend(pressing(&self.sqp));
     }
 }
 
 /// The greatest difference between two sets of controls.
-pub(super) fn farthest(a: &[Control<1>], b: &[Control<1>]) -> f64 {
+pub(super) fn farthest<const NU: usize>(a: &[Control<NU>], b: &[Control<NU>]) -> f64 {
     a.iter()
         .zip(b)
         .map(|(a, b)| (a - b).amax())

@@ -1,0 +1,375 @@
+//! The robot with sliding cables as a chain for the solver: a stage is a bay, its
+//! state (x, y, φ) of the disk it ends at, its controls the bends of its arcs.
+//!
+//! ```text
+//! minimise  ½ Σ u²  + Σ T̂ len  − Σ F̂·x     u = n b, all in units of EI/(L n)
+//! subject to  Σ (l_bay − len) − pull + c T ⪰ 0   for every cable under pull
+//! ```
+//!
+//! T of a cable under load is given: its potential is a cost. T of one under pull is
+//! the multiplier of its row, and it is slack where that is 0. In the unit of the
+//! controls a robot that bends by 1 rad has u = 1 everywhere, whatever its number of
+//! segments.
+
+use super::bay::Bay;
+use super::stretch::Stretch;
+use crate::contact::RowKind;
+use crate::geometry::Vector;
+use crate::mechanics::{Input, Problem};
+use crate::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State, SumRow};
+use nalgebra::{SMatrix, matrix};
+
+/// The longest step in a control: all of them together turn the tip by 1 rad, which is
+/// as far as a row that was linearised still means something.
+const LONGEST_STEP: f64 = 1.0;
+/// The least a stretch of cable on the inner side of a bend may be left of its bay's
+/// length, before the disks there touch: the arcs' bends are bounded by that.
+const LEAST_STRETCH: f64 = 0.05;
+/// The most an arc may bend, in radians, whatever the disks' size: a quarter turn.
+const MOST_BEND: f64 = std::f64::consts::FRAC_PI_2;
+
+/// The robot with sliding cables, with up to `NU` arcs a bay.
+#[derive(Debug)]
+pub struct Sliding<const NU: usize> {
+    problem: Problem,
+    /// l, the length of an arc, in metres.
+    arc: f64,
+    /// The bend of a unit control, in radians: 1/n.
+    bend: f64,
+    /// The bound of an arc's bend, in radians.
+    most_bend: f64,
+    /// 1/(EI/(L n)), per newton metre; 0 where EI is not known, and nothing is asked in
+    /// newtons.
+    per_energy: f64,
+    /// The cables under pull, by their indices.
+    pulled: Vec<usize>,
+}
+
+impl<const NU: usize> Clone for Sliding<NU> {
+    fn clone(&self) -> Self {
+        Self {
+            problem: self.problem.clone(),
+            pulled: self.pulled.clone(),
+            ..*self
+        }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        self.problem.clone_from(&source.problem);
+        self.pulled.clone_from(&source.pulled);
+        self.arc = source.arc;
+        self.bend = source.bend;
+        self.most_bend = source.most_bend;
+        self.per_energy = source.per_energy;
+    }
+}
+
+impl<const NU: usize> Sliding<NU> {
+    /// The mechanics of a problem with at most `NU` segments a bay.
+    pub(super) fn of(problem: Problem) -> Self {
+        let mut sliding = Self {
+            problem,
+            arc: 0.0,
+            bend: 0.0,
+            most_bend: 0.0,
+            per_energy: 0.0,
+            pulled: Vec::new(),
+        };
+        sliding.prepare();
+        sliding
+    }
+
+    pub(super) fn change_problem(&mut self, change: impl FnOnce(&mut Problem)) {
+        change(&mut self.problem);
+        self.prepare();
+    }
+
+    /// What follows from the problem.
+    fn prepare(&mut self) {
+        let robot = *self.problem.robot();
+        let drive = self.problem.drive();
+        let count = robot.segments as f64;
+        self.arc = robot.segment_length();
+        self.bend = 1.0 / count;
+        let offsets = drive.cables.iter().map(|driven| driven.cable.offset.abs());
+        let reach = offsets.fold(0.0, f64::max);
+        self.most_bend = MOST_BEND.min((1.0 - LEAST_STRETCH) * self.arc / reach);
+        self.per_energy = drive
+            .stiffness
+            .map_or(0.0, |stiffness| robot.length * count / stiffness);
+        self.pulled.clear();
+        let cables = drive.cables.iter().enumerate();
+        let pulled = cables.filter(|(_, driven)| matches!(driven.input, Input::Pull(_)));
+        self.pulled.extend(pulled.map(|(index, _)| index));
+    }
+
+    pub(super) fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    /// The bend of a unit control, in radians.
+    pub(super) fn bend(&self) -> f64 {
+        self.bend
+    }
+
+    /// A tension in newtons in the chain's unit, its energy a metre.
+    pub(super) fn tension_of(&self, newtons: f64) -> f64 {
+        self.per_energy * newtons
+    }
+
+    /// How much shorter a cable is than along the straight robot, in metres.
+    pub(super) fn shortening(&self, cable: usize, nodes: &[Bay<NU>]) -> f64 {
+        let bays = nodes.iter().enumerate().skip(1);
+        bays.filter_map(|(k, bay)| {
+            let offset = self.offset(cable, k)?;
+            Some(self.bay_length() - Stretch::of(bay, offset).length)
+        })
+        .sum()
+    }
+
+    fn bays(&self) -> usize {
+        let robot = self.problem.robot();
+        robot.segments / robot.segments_per_bay
+    }
+
+    /// The offset of a cable in a bay, from 1, if it runs through it.
+    fn offset(&self, cable: usize, bay: usize) -> Option<f64> {
+        let cable = &self.problem.drive().cables[cable].cable;
+        (bay <= cable.last_disk).then_some(cable.offset)
+    }
+
+    /// The length of a bay, in metres.
+    fn bay_length(&self) -> f64 {
+        self.arc * self.problem.robot().segments_per_bay as f64
+    }
+
+    /// Calls with each node of bay k that a dead load acts on, from 1, and the force
+    /// there, in the chain's unit of energy a metre.
+    fn each_load(&self, k: usize, mut each: impl FnMut(usize, Vector)) {
+        let robot = self.problem.robot();
+        let loads = &self.problem.drive().loads;
+        let arcs = robot.segments_per_bay;
+        let share = loads.backbone / robot.segments as f64;
+        for j in 1..=arcs {
+            let mut force = share;
+            if j == arcs {
+                force += loads.disk;
+                if k == self.bays() {
+                    // An arc's weight is shared by its ends.
+                    force += loads.tip_force - 0.5 * share;
+                }
+            }
+            each(j, self.per_energy * force);
+        }
+    }
+
+    fn is_loaded(&self) -> bool {
+        self.problem.drive().loads.any()
+    }
+
+    /// The tension of a cable under load, in the chain's unit.
+    fn given_tension(&self, cable: usize) -> Option<f64> {
+        match self.problem.drive().cables[cable].input {
+            Input::Load(load) => Some(self.per_energy * load),
+            Input::Pull(_) => None,
+        }
+    }
+
+    /// Adds what hangs on cables and on the robot to a stage's cost.
+    fn add_loads(&self, k: usize, bay: &Bay<NU>, stage: &mut Stage<3, NU>) {
+        for cable in 0..self.problem.drive().cables.len() {
+            let (Some(tension), Some(offset)) = (self.given_tension(cable), self.offset(cable, k))
+            else {
+                continue;
+            };
+            let stretch = Stretch::of(bay, offset);
+            stage.cost += tension * (stretch.length - self.bay_length());
+            stage.cost_gradient += tension * stretch.gradient;
+            stage.cost_curvature += tension * stretch.curvature(bay, offset);
+        }
+        if !self.is_loaded() {
+            return;
+        }
+        self.each_load(k, |j, force| {
+            let point = bay.point(j, 0.0);
+            stage.cost -= force.dot(&(bay.at(j, 0.0) - self.problem.robot().base.position));
+            stage.cost_by_state -= point.by_state(force);
+            stage.cost_gradient -= point.by_control(force);
+            stage.cost_curvature -= point.curvature(force).by_control;
+        });
+        if k == self.bays() {
+            let moment = self.per_energy * self.problem.drive().loads.tip_moment;
+            stage.cost += moment * (bay.end().angle - self.problem.robot().base.angle);
+            stage.cost_by_state[2] += moment;
+            for i in 0..bay.arcs() {
+                stage.cost_gradient[i] -= moment * self.bend;
+            }
+        }
+    }
+
+    /// Adds the rows of |b| ≤ bound for the arcs within reach of it.
+    fn add_limits(&self, controls: &[Control<NU>], rows: &mut Vec<Row<3, NU>>) {
+        let arcs = self.problem.robot().segments_per_bay;
+        let length = self.problem.length();
+        for (index, control) in controls.iter().enumerate() {
+            for arc in 0..arcs {
+                let bend = self.bend * control[arc];
+                if bend.abs() + self.bend * LONGEST_STEP > self.most_bend {
+                    let sign = if bend > 0.0 { 1 } else { -1 };
+                    let kind = RowKind::TurnLimit {
+                        segment: index * arcs + arc + 1,
+                        sign,
+                    };
+                    let mut gradient = Control::zeros();
+                    gradient[arc] = -f64::from(sign) * self.bend * length;
+                    rows.push(Row {
+                        id: kind.id(self.problem.obstacles().len()),
+                        stage: index + 1,
+                        value: (self.most_bend - bend.abs()) * length,
+                        before: None,
+                        after: State::zeros(),
+                        control: gradient,
+                    });
+                }
+            }
+        }
+    }
+}
+
+impl<const NU: usize> Chain<3, NU> for Sliding<NU> {
+    const COST_OF_STATE: bool = true;
+    const SUM_ROWS: bool = true;
+
+    type Node = Bay<NU>;
+    type Kept = (usize, Bay<NU>);
+
+    fn stages(&self) -> usize {
+        self.bays()
+    }
+
+    fn base(&self) -> Bay<NU> {
+        let robot = self.problem.robot();
+        Bay::base(robot.base, robot.segments_per_bay)
+    }
+
+    fn row_scale(&self) -> f64 {
+        self.problem.length()
+    }
+
+    fn multiplier_scale(&self) -> f64 {
+        self.problem.robot().segments as f64
+    }
+
+    fn longest_step(&self) -> f64 {
+        LONGEST_STEP
+    }
+
+    fn stage(
+        &self,
+        k: usize,
+        from: &Bay<NU>,
+        control: &Control<NU>,
+    ) -> (Bay<NU>, Stage<3, NU>, (usize, Bay<NU>)) {
+        let bay = Bay::after(from, self.arc, self.bend, control);
+        let end = bay.point(bay.arcs(), 0.0);
+        let mut by_control = SMatrix::zeros();
+        for i in 0..bay.arcs() {
+            by_control[(0, i)] = end.by_control[i].x;
+            by_control[(1, i)] = end.by_control[i].y;
+            by_control[(2, i)] = -self.bend;
+        }
+        let swing = end.by_turn;
+        // A control that is no arc's has a cost all the same, and stays at 0.
+        let mut stage = Stage {
+            by_state: matrix![1.0, 0.0, swing.x; 0.0, 1.0, swing.y; 0.0, 0.0, 1.0],
+            by_control,
+            cost: 0.5 * control.norm_squared(),
+            cost_by_state: State::zeros(),
+            cost_gradient: *control,
+            cost_curvature: SMatrix::identity(),
+        };
+        let limit = self.most_bend + self.bend * LONGEST_STEP;
+        if control.iter().any(|u| (self.bend * u).abs() > limit) {
+            stage.cost = f64::INFINITY;
+        }
+        self.add_loads(k, &bay, &mut stage);
+        (bay, stage, (k, bay))
+    }
+
+    fn dynamics_curvature(
+        &self,
+        (k, bay): &(usize, Bay<NU>),
+        adjoint: &State<3>,
+    ) -> DynamicsCurvature<3, NU> {
+        let force = Vector::new(adjoint[0], adjoint[1]);
+        let mut curvature = bay.point(bay.arcs(), 0.0).curvature(force);
+        if self.is_loaded() {
+            self.each_load(*k, |j, force| {
+                let load = bay.point(j, 0.0).curvature(force);
+                curvature.by_state -= load.by_state;
+                curvature.mixed -= load.mixed;
+            });
+        }
+        curvature
+    }
+
+    fn rows(&self, nodes: &[Bay<NU>], controls: &[Control<NU>], rows: &mut Vec<Row<3, NU>>) {
+        rows.clear();
+        self.problem.around().add_rows(nodes, rows);
+        self.add_limits(controls, rows);
+    }
+
+    fn row_curvature(&self, row: &Row<3, NU>, nodes: &[Bay<NU>]) -> RowCurvature<3, NU> {
+        self.problem.around().row_curvature(row, nodes)
+    }
+
+    fn sum_count(&self) -> usize {
+        self.pulled.len()
+    }
+
+    fn sum_row(&self, sum: usize) -> SumRow {
+        let index = self.pulled[sum];
+        let driven = &self.problem.drive().cables[index];
+        let pull = match driven.input {
+            Input::Pull(pull) => pull,
+            Input::Load(_) => 0.0,
+        };
+        // A multiplier λ is the tension T = λ EI/(L n).
+        let compliance = match self.per_energy {
+            0.0 => 0.0,
+            per_energy => driven.cable.compliance / per_energy,
+        };
+        SumRow {
+            id: RowKind::Cable { cable: index }.id(self.problem.obstacles().len()),
+            bound: -pull,
+            compliance,
+        }
+    }
+
+    fn sum_term(&self, sum: usize, k: usize, (_, bay): &(usize, Bay<NU>)) -> (f64, Control<NU>) {
+        match self.offset(self.pulled[sum], k) {
+            Some(offset) => {
+                let stretch = Stretch::of(bay, offset);
+                (self.bay_length() - stretch.length, -stretch.gradient)
+            }
+            None => (0.0, Control::zeros()),
+        }
+    }
+
+    fn sum_curvature(
+        &self,
+        sum: usize,
+        k: usize,
+        (_, bay): &(usize, Bay<NU>),
+    ) -> SMatrix<f64, NU, NU> {
+        match self.offset(self.pulled[sum], k) {
+            Some(offset) => -Stretch::of(bay, offset).curvature(bay, offset),
+            None => SMatrix::zeros(),
+        }
+    }
+
+    fn passes_through(&self, from: &[Bay<NU>], to: &[Bay<NU>]) -> bool {
+        let around = self.problem.around();
+        around.motion_passes(around, from, to)
+    }
+}
