@@ -33,7 +33,7 @@ const SCENE: &str = include_str!("../assets/scenes/two-discs.toml");
 fn problem(segments: u32, pull_mm: f64) -> Problem {
     let scene = Scene::from_toml(SCENE).and_then(|mut scene| {
         scene.robot.segments = segments;
-        scene.actuation.pull_mm = pull_mm;
+        scene.set_pull_mm(pull_mm);
         Problem::new(&scene)
     });
     match scene {

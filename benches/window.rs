@@ -112,7 +112,7 @@ impl Window {
 
     /// Moves the pull a little, so that the next frame shows a new solution.
     fn pull(&mut self, to_mm: f64) {
-        self.app.bench_mut().document.scene.actuation.pull_mm = to_mm;
+        self.app.bench_mut().document.scene.set_pull_mm(to_mm);
     }
 }
 

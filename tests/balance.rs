@@ -26,7 +26,7 @@ fn disc(x: f64, y: f64, radius_mm: f64) -> Shape {
 
 fn body(pull_mm: f64, shapes: &[Shape]) -> Scene {
     let mut scene = Scene::default();
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     scene.contact.candidates = Candidates::Body;
     scene.robot.segments_per_bay = 18;
     scene.robot.cable_diameter_mm = 0.5;
@@ -180,12 +180,12 @@ fn what_is_no_stiffness_is_told_with_its_number() {
         "a bending stiffness of 0 N mm² is not positive and finite; give one that is",
     );
     let mut scene = Scene::default();
-    scene.actuation.pull_mm = 0.0;
+    scene.set_pull_mm(0.0);
     let (_, still, _) = solved(&scene);
     let no_pull = "at a pull of 0 mm the robot is not bent by its cable, so that no load calibrates \
                    its stiffness; give a load measured at a positive pull";
     check(Stiffness::calibrated(&still, 1.0), no_pull);
-    scene.actuation.pull_mm = 5.0;
+    scene.set_pull_mm(5.0);
     let (_, solution, _) = solved(&scene);
     for load in [-1.0, 0.0, f64::INFINITY] {
         let found = Stiffness::calibrated(&solution, load).unwrap_err();

@@ -384,9 +384,9 @@ fn keys_nudge_duplicate_delete_and_go_round() {
     window.key_with(Modifiers::SHIFT, Key::Tab);
     assert_eq!(window.bench().selection, Selection::Obstacle(1));
     window.key(Key::Tab);
-    let pull = window.scene().actuation.pull_mm;
+    let pull = window.scene().pull_mm();
     window.key(Key::ArrowUp);
-    assert!((window.scene().actuation.pull_mm - pull - 0.1).abs() < 1e-9);
+    assert!((window.scene().pull_mm() - pull - 0.1).abs() < 1e-9);
     // Past the robot the focus goes on to other controls.
     let focused = |window: &Window| {
         let canvas = window.harness.get_by_label("Robot and obstacles");
@@ -409,7 +409,7 @@ fn the_tip_is_dragged_to_pull() {
         let to = tip + vec2(window.points(20.0), window.points(8.0));
         window.hold(&[tip, to]);
         window.shoot("tip");
-        assert!(window.scene().actuation.pull_mm > 5.5);
+        assert!(window.scene().pull_mm() > 5.5);
         keeps_out(&window);
         assert!(window.tip().x > tip.x + window.points(8.0));
         window.release(to);
@@ -560,7 +560,7 @@ fn turned_capsule() -> Shape {
 #[test]
 fn a_branch_that_ends_says_so() {
     let mut scene: Scene = scene(4.9, [disc_at(24.0, 89.0), disc_at(-30.0, 89.0)]);
-    scene.actuation.pull_mm = 24.0;
+    scene.set_pull_mm(24.0);
     let mut window = Window::open(Some(scene));
     assert!(window.bench().live.drawing().standing.is_greyed());
     window.shoot("stuck");

@@ -16,7 +16,7 @@ fn disc(center_mm: [f64; 2], radius_mm: f64) -> Shape {
 
 fn scene(pull_mm: f64, shapes: &[Shape]) -> Scene {
     let mut scene = Scene::default();
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     scene.obstacles = shapes.iter().cloned().map(Into::into).collect();
     scene
 }
@@ -122,6 +122,7 @@ fn disks_rims_and_nodes_that_no_candidate_sees_are_told() {
     );
     listed.contact.listed = vec![Listed {
         line: NodeLine::Backbone,
+        cable: 0,
         node: 2,
     }];
     assert!(matches!(
@@ -187,7 +188,7 @@ fn a_long_robot_is_looked_at_in_no_time() {
     let mut long = scene(0.0, &[]);
     long.robot.length_mm = 2000.0;
     long.robot.segments = 20_000;
-    long.actuation.pull_mm = 40.0;
+    long.set_pull_mm(40.0);
     let problem = Problem::new(&long).unwrap();
     let solution = solve(&problem, Start::Direct, Settings::default());
     let slope = solution.nodes[0].angle - solution.tip().angle;

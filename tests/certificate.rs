@@ -15,7 +15,7 @@ use sinew::solver::{Chain, Control};
 
 fn scene(text: &str, pull_mm: f64) -> Scene {
     let mut scene = Scene::from_toml(text).unwrap();
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     scene
 }
 
@@ -178,11 +178,17 @@ fn links_and_disks_of_another_length_are_seen() {
     for sign in [1.0, -1.0] {
         let backbone = |scene: &mut Scene| {
             scene.robot.length_mm += sign * 1e-3;
-            scene.actuation.pull_mm += sign * 1e-3;
+            scene.set_pull_mm(scene.pull_mm() + sign * 1e-3);
         };
         check(&backbone, each);
-        check(&|scene| scene.actuation.pull_mm += sign * 1e-3, each);
-        check(&|scene| scene.robot.cable_offset_mm += sign * 1e-3, 1e-3);
+        check(
+            &|scene| scene.set_pull_mm(scene.pull_mm() + sign * 1e-3),
+            each,
+        );
+        check(
+            &|scene| scene.set_offset_mm(scene.offset_mm() + sign * 1e-3),
+            1e-3,
+        );
     }
 }
 

@@ -115,7 +115,7 @@ fn edge(holds: impl Fn(f64) -> bool) -> f64 {
 /// A solution of a scene at a pull, in millimetres.
 fn solved(text: &str, pull_mm: f64, edit: impl Fn(&mut Scene)) -> (Problem, Solved) {
     let mut scene = Scene::from_toml(text).unwrap();
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     edit(&mut scene);
     let problem = Problem::new(&scene).unwrap();
     let solution = solve(&problem, Start::Straight, Settings::default());

@@ -268,7 +268,8 @@ fn a_known_stiffness_gives_the_tension() {
 }
 
 const PIN: &str = r#"
-    version = 1
+    version = 2
+    model = { mechanics = "equal" }
     robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
     actuation = { pull_mm = 6.3 }
     obstacle = [{ name = "pin", shape = "disc", center_mm = [30, 105], radius_mm = 0.5 }]
@@ -338,7 +339,7 @@ fn a_check_of_a_scene_that_cannot_be_reached_says_so() {
     let text = check(&["check", &asset("slip-off")], 0).out;
     assert!(!text.contains("does not reach"), "{text}");
     let mut scene = Scene::from_toml_bytes(&fs::read(asset("narrow-gap")).unwrap()).unwrap();
-    scene.actuation.pull_mm = 60.0;
+    scene.set_pull_mm(60.0);
     let input = scene.to_toml().unwrap();
     let state = check_with(&["solve", "-"], input.as_bytes(), 3);
     let text = check_with(&["check", "-"], input.as_bytes(), 0).out;
@@ -360,7 +361,7 @@ fn no_zero_has_a_sign() {
             ("-5", "[0, -0.0]"),
         ] {
             let scene = format!(
-                "version = 1\nactuation.pull_mm = {pull}\n[robot]\nlength_mm = 180\nsegments = 18\n\
+                "version = 2\nmodel.mechanics = \"equal\"\nactuation.pull_mm = {pull}\n[robot]\nlength_mm = 180\nsegments = 18\n\
                  cable_offset_mm = 8\nbase_angle_deg = {angle}\nbase_mm = {base}\n\
                  bending_stiffness_nmm2 = 8700\n"
             );
@@ -565,7 +566,8 @@ fn obstacles_that_do_not_reach_their_place_are_told() {
     // A ceiling 1 mm above the base. Without pull no segment bends, and each
     // turns by at most π/2 − 0.01, so that the tip is at least 1.8 mm up.
     let scene = "
-        version = 1
+        version = 2
+        model = { mechanics = \"equal\" }
         robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
         actuation = { pull_mm = 1 }
         obstacle = [{ shape = \"wall\", point_mm = [0, 1], rotation_deg = -90 }]
@@ -614,7 +616,7 @@ fn what_cannot_be_read_is_told_in_one_line() {
         check_refused(
             &[command, "-"],
             b"",
-            "standard input: the scene is empty; it needs at least `version = 1`, a [robot] \
+            "standard input: the scene is empty; it needs at least `version = 2`, a [robot] \
              table and an [actuation] table",
         );
         check_refused(
@@ -815,7 +817,7 @@ fn characters_that_turn_a_text_do_not_reach_the_terminal() {
 
 #[test]
 fn a_number_with_its_unit_is_told_how_to_be_written() {
-    let scene = "version = 1\n[actuation]\npull_mm = 4.9 mm\n";
+    let scene = "version = 2\n[actuation]\npull_mm = 4.9 mm\n";
     check_refused(
         &["check", "-"],
         scene.as_bytes(),

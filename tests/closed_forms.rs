@@ -10,8 +10,8 @@ fn free(length_mm: f64, segments: u32, offset_mm: f64, pull_mm: f64) -> Solved {
     scene.robot.length_mm = length_mm;
     scene.robot.segments = segments;
     scene.robot.segments_per_bay = 1;
-    scene.robot.cable_offset_mm = offset_mm;
-    scene.actuation.pull_mm = pull_mm;
+    scene.robot.cable_offset_mm = Some(offset_mm);
+    scene.set_pull_mm(pull_mm);
     solve(
         &Problem::new(&scene).unwrap(),
         Start::Straight,

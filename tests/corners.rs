@@ -28,8 +28,8 @@ fn robot(pull_mm: f64, candidates: Candidates, shape: Shape) -> Scene {
     let mut scene = Scene::default();
     scene.robot.length_mm = 180.0;
     scene.robot.segments = 18;
-    scene.robot.cable_offset_mm = 8.0;
-    scene.actuation.pull_mm = pull_mm;
+    scene.robot.cable_offset_mm = Some(8.0);
+    scene.set_pull_mm(pull_mm);
     scene.contact.candidates = candidates;
     scene.obstacles = vec![shape.into()];
     scene

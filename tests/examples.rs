@@ -26,7 +26,7 @@ fn scene(id: &str) -> Scene {
 
 /// The example at its own pull.
 fn at_its_pull(id: &str) -> Solved {
-    at(id, scene(id).actuation.pull_mm)
+    at(id, scene(id).pull_mm())
 }
 
 /// The example at a pull, in mm, from the straight robot; not all are reached.
@@ -142,7 +142,7 @@ fn every_example_rests_at_its_pull_with_a_certificate() {
 
 #[test]
 fn the_free_robot_turns_in_proportion_to_the_pull() {
-    let offset = scene("free").robot.cable_offset_mm;
+    let offset = scene("free").offset_mm();
     for pull_mm in [2.0, 5.0, 10.0] {
         let solution = at("free", pull_mm);
         let turn: f64 = solution.bends.iter().sum();

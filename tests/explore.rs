@@ -204,6 +204,7 @@ fn pulls_below_zero_mirror_those_above() {
         scene.contact.listed = (1..=18)
             .map(|node| Listed {
                 line: Line::Backbone,
+                cable: 0,
                 node,
             })
             .collect();

@@ -92,8 +92,8 @@ fn a_robot_far_from_the_origin_has_the_same_shape() {
 fn so_does_one_that_is_small() {
     let mut scene = Scene::default();
     scene.robot.length_mm = 1.0;
-    scene.robot.cable_offset_mm = 0.05;
-    scene.actuation.pull_mm = 0.05;
+    scene.robot.cable_offset_mm = Some(0.05);
+    scene.set_pull_mm(0.05);
     let shape = Shape::Disc {
         center_mm: [0.25, 0.5],
         radius_mm: 0.07,
@@ -172,7 +172,7 @@ fn a_base_that_only_touches_a_wall_is_clear_of_it_wherever_it_stands() {
     ] {
         let mut scene = Scene::default();
         scene.contact.candidates = candidates;
-        scene.actuation.pull_mm = 3.0;
+        scene.set_pull_mm(3.0);
         scene.obstacles = vec![wall(touching, angle).into()];
         let here = solved(&scene);
         let mut near = scene.clone();

@@ -56,7 +56,7 @@ fn scene(window: &Window) -> &Scene {
 
 fn pull(window: &mut Window, pull_mm: f64) {
     let scene = &mut window.state_mut().bench_mut().document.scene;
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     window.run();
 }
 
@@ -145,7 +145,7 @@ fn a_saved_scene_is_reopened_as_it_was() {
 #[test]
 fn a_broken_file_is_told_fault_by_fault_and_changes_nothing() {
     let desk = Desk::default();
-    let broken = "version = 1\n[robot]\nlength_mm = -180\nsegments = 0\ncable_offset_mm = 8\n\
+    let broken = "version = 2\n[robot]\nlength_mm = -180\nsegments = 0\ncable_offset_mm = 8\n\
                   [actuation]\npull_mm = 5\n";
     desk.put("/home/a/broken.toml", broken);
     desk.put("/home/a/text.toml", "version = 1\n[robot");
@@ -526,7 +526,7 @@ fn a_measured_backbone_is_dropped_compared_and_fitted() {
     desk.put("/home/a/measured.csv", table);
     desk.put("/home/a/inches.csv", "x_mm,y_mm\n0,0\n0,600\n0,7000\n");
     desk.put("/home/a/forces.csv", "load_g,force_g\n100,6\n200,12.5\n");
-    let measured_at = scene(&window).actuation.pull_mm;
+    let measured_at = scene(&window).pull_mm();
     drop_on(&mut window, &desk, "/home/a/measured.csv");
     assert!(says(
         &window,
@@ -538,7 +538,7 @@ fn a_measured_backbone_is_dropped_compared_and_fitted() {
     press(&mut window, "Find the best pull");
     assert!(says(&window, "Best pull 4.90 mm"));
     press(&mut window, "Apply");
-    assert!((scene(&window).actuation.pull_mm - measured_at).abs() < 1e-3);
+    assert!((scene(&window).pull_mm() - measured_at).abs() < 1e-3);
     let before = scene(&window).clone();
     drop_on(&mut window, &desk, "/home/a/inches.csv");
     assert!(says(&window, "inches.csv cannot be imported") && says(&window, "Row 3"));
@@ -747,7 +747,7 @@ fn examples_open_from_cards_with_real_drawings() {
     assert!(says(&window, "Save the changes to"));
     press(&mut window, "Cancel");
     assert!(window.state().is_covered());
-    assert_eq!(scene(&window).actuation.pull_mm, 2.0);
+    assert_eq!(scene(&window).pull_mm(), 2.0);
 }
 
 #[test]
@@ -763,7 +763,7 @@ fn what_cannot_be_written_is_told_and_the_work_stays() {
     assert_eq!(bench(&window).document.file, None);
     desk.answer(None);
     press(&mut window, "Save as …");
-    assert_eq!(scene(&window).actuation.pull_mm, 2.0);
+    assert_eq!(scene(&window).pull_mm(), 2.0);
 }
 
 #[test]
@@ -829,7 +829,7 @@ fn the_help_lists_every_shortcut_and_the_menu_every_command() {
 #[test]
 fn every_sheet_can_be_drawn() {
     let desk = Desk::default();
-    desk.put("/home/a/broken.toml", "version = 1\n[robot]\nlength_mm = -180\nsegments = 0\ncable_offset_mm = 8\n[actuation]\npull_mm = 5\n");
+    desk.put("/home/a/broken.toml", "version = 2\n[robot]\nlength_mm = -180\nsegments = 0\ncable_offset_mm = 8\n[actuation]\npull_mm = 5\n");
     desk.put("/home/a/robot.png", png(640, 480));
     let table = "x_mm,y_mm\n0.2,20\n1.1,41\n4.5,65\n11,92\n19,113\n31,137\n46,163\n";
     desk.put("/home/a/measured.csv", table);

@@ -395,7 +395,7 @@ fn the_whole_body_balances_wherever_it_touches() {
     scene.contact.candidates = Candidates::Body;
     scene.robot.disk_radius_mm = Some(10.0);
     for pull_mm in [2.0, 6.0, 9.0] {
-        scene.actuation.pull_mm = pull_mm;
+        scene.set_pull_mm(pull_mm);
         let problem = Problem::new(&scene).unwrap();
         let solution = solved(&problem);
         let statics = Statics::of(&solution, stiffness());

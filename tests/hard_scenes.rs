@@ -80,14 +80,15 @@ fn scene(seed: u64) -> Scene {
     robot.length_mm = length;
     robot.segments = 1 + random.one_of(60);
     robot.segments_per_bay = if robot.segments % 2 == 0 { 2 } else { 1 };
-    robot.cable_offset_mm = length * random.between(0.01, 0.1);
+    let offset = length * random.between(0.01, 0.1);
+    robot.cable_offset_mm = Some(offset);
     if random.one_of(2) == 0 {
         robot.disk_thickness_mm = length * random.between(0.0, 0.01);
         robot.backbone_diameter_mm = length * random.between(0.0, 0.02);
         robot.cable_diameter_mm = length * random.between(0.0, 0.005);
-        robot.disk_radius_mm = Some(robot.cable_offset_mm * random.between(1.0, 1.5));
+        robot.disk_radius_mm = Some(offset * random.between(1.0, 1.5));
     }
-    scene.actuation.pull_mm = robot.cable_offset_mm * random.between(-0.5, 2.5);
+    scene.set_pull_mm(offset * random.between(-0.5, 2.5));
     scene.contact.candidates = [Candidates::Nodes, Candidates::Body][random.one_of(2) as usize];
     let obstacles = 1 + random.one_of(5);
     scene.obstacles = (0..obstacles)

@@ -9,7 +9,7 @@ use sinew::scene::Scene;
 
 fn problem(scene: &str, pull_mm: f64) -> Problem {
     let mut scene = Scene::from_toml(scene).unwrap();
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     Problem::new(&scene).unwrap()
 }
 

@@ -183,7 +183,10 @@ fn points_in_another_unit_are_refused() {
         }
     }
     // Noise makes neighbours that are named no strangers to each other.
-    let (text, segments) = ("version = 1\nactuation = { pull_mm = 6 }\n", 2000);
+    let (text, segments) = (
+        "version = 2\nmodel = { mechanics = \"equal\" }\nactuation = { pull_mm = 6 }\n",
+        2000,
+    );
     let robot =
         format!("robot = {{ length_mm = 180, segments = {segments}, cable_offset_mm = 8 }}");
     let fine = Problem::new(&Scene::from_toml(&format!("{text}{robot}")).unwrap()).unwrap();

@@ -10,7 +10,7 @@ use sinew::solver::Chain;
 
 fn scene(shapes: &[Shape]) -> Scene {
     let mut scene = Scene::default();
-    scene.actuation.pull_mm = 0.0;
+    scene.set_pull_mm(0.0);
     scene.obstacles = shapes.iter().cloned().map(Into::into).collect();
     scene
 }
@@ -153,6 +153,7 @@ fn nothing_may_stand_over_the_base() {
     listed.contact.candidates = Candidates::Listed;
     listed.contact.listed = vec![Listed {
         line: sinew::scene::Line::Backbone,
+        cable: 0,
         node: 9,
     }];
     let problem = Problem::new(&listed).unwrap();

@@ -10,7 +10,7 @@ use sinew::scene::{Candidates, Scene, Shape};
 fn body(pull_mm: f64, shape: Shape) -> Option<(Problem, Solved)> {
     let mut scene = Scene::default();
     scene.contact.candidates = Candidates::Body;
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     scene.obstacles.push(shape.into());
     let problem = Problem::new(&scene).ok()?;
     let solution = solve(&problem, Start::Straight, Settings::default());

@@ -12,7 +12,7 @@ use sinew::scene::{Candidates, Scene, Shape};
 
 fn scene(pull_mm: f64, shapes: &[Shape]) -> Scene {
     let mut scene = Scene::default();
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     scene.obstacles = shapes.iter().cloned().map(Into::into).collect();
     scene
 }

@@ -284,7 +284,7 @@ fn what_another_field_forbids_is_told_under_that_field() {
     enter(&mut window, "Disk radius", "9");
     assert_eq!(scene(&window).robot.disk_radius_mm, Some(9.0));
     enter(&mut window, "Cable offset", "9.5");
-    assert_eq!(scene(&window).robot.cable_offset_mm, 8.0, "taken back");
+    assert_eq!(scene(&window).offset_mm(), 8.0, "taken back");
     let note = window
         .get_by_label_contains("Disk radius is 9 mm; set it to a value from the cable offset, 9.5")
         .rect();
@@ -301,7 +301,7 @@ fn what_another_field_forbids_is_told_under_that_field() {
     select(&mut window, "Disk radius follows the cable offset");
     assert_eq!(scene(&window).robot.disk_radius_mm, None);
     enter(&mut window, "Cable offset", "9.5");
-    assert_eq!(scene(&window).robot.cable_offset_mm, 9.5);
+    assert_eq!(scene(&window).offset_mm(), 9.5);
     assert!(!told(&window, "Taken back"));
 }
 
@@ -349,7 +349,8 @@ fn the_certificate_tells_the_numbers_of_the_solution() {
 #[test]
 fn cautions_stand_beside_the_certificate_with_what_helps() {
     let text = r#"
-        version = 1
+        version = 2
+        model = { mechanics = "equal" }
         robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
         actuation = { pull_mm = 6.3 }
         obstacle = [{ name = "Pin", shape = "disc", center_mm = [30, 105], radius_mm = 0.5 }]
@@ -368,7 +369,7 @@ fn cautions_stand_beside_the_certificate_with_what_helps() {
     // A cable that would have to push has no such remedy.
     let scene = &mut window.state_mut().bench_mut().document.scene;
     scene.obstacles.clear();
-    scene.actuation.pull_mm = -3.0;
+    scene.set_pull_mm(-3.0);
     window.run();
     assert!(told(&window, "cable would have to push"));
     assert!(!told(&window, "Let the whole body touch"));
@@ -379,7 +380,7 @@ fn a_branch_that_ends_is_told_with_its_reason() {
     let mut window = first();
     let work = window.state_mut().bench_mut();
     // The robot that leans on both discs slips off before this.
-    work.document.scene.actuation.pull_mm = 16.0;
+    work.document.scene.set_pull_mm(16.0);
     window.run();
     let solution = bench(&window).live.solution().unwrap();
     assert_eq!(solution.status.word(), "branch_ended");
@@ -396,7 +397,7 @@ fn what_became_of_a_solve_has_one_name() {
     let scene = Scene::from_toml(wedge).unwrap();
     let mut window = window(Some(scene), [1280.0, 800.0], Theme::Light);
     let work = window.state_mut().bench_mut();
-    work.document.scene.actuation.pull_mm = 12.0;
+    work.document.scene.set_pull_mm(12.0);
     window.run();
     let solution = bench(&window).live.solution().unwrap();
     assert_eq!(solution.status.word(), "infeasible");
@@ -430,8 +431,7 @@ fn nothing_moves_when_numbers_change() {
             .bench_mut()
             .document
             .scene
-            .actuation
-            .pull_mm = pull;
+            .set_pull_mm(pull);
         window.run();
         assert_eq!(places(&window), before, "{pull}");
     }
@@ -541,8 +541,7 @@ fn pictures() {
         .bench_mut()
         .document
         .scene
-        .actuation
-        .pull_mm = 16.0;
+        .set_pull_mm(16.0);
     window.run();
     select(&mut window, "Status: Branch ended");
     let file = folder.join("certificate-tall.png");

@@ -181,7 +181,7 @@ fn with_post(center_mm: [f64; 2], pull_mm: f64) -> Scene {
         radius_mm: 8.0,
     };
     scene.obstacles.push(post.into());
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     scene
 }
 

@@ -24,8 +24,8 @@ fn scene(case: &Value) -> Scene {
     scene.robot.length_mm = number(&case["length_mm"]);
     scene.robot.segments = u32::try_from(case["segments"].as_u64().unwrap()).unwrap();
     scene.robot.segments_per_bay = 1;
-    scene.robot.cable_offset_mm = number(&case["cable_offset_mm"]);
-    scene.actuation.pull_mm = number(&case["pull_mm"]);
+    scene.robot.cable_offset_mm = Some(number(&case["cable_offset_mm"]));
+    scene.set_pull_mm(number(&case["pull_mm"]));
     for circle in case["circles"].as_array().unwrap() {
         scene.obstacles.push(
             Shape::Disc {

@@ -296,7 +296,8 @@ fn pictures_of_the_robot() {
 
 /// A straight robot beside a post that it does not touch.
 const POST: &str = r#"
-    version = 1
+    version = 2
+    model = { mechanics = "equal" }
     robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
     actuation = { pull_mm = 0 }
     [[obstacle]]

@@ -4,12 +4,12 @@
 use std::path::PathBuf;
 
 use sinew::scene::{
-    Candidates, ForceReading, Line, Listed, MAX_FILE_BYTES, Measurements, Obstacle, Photo, Robot,
-    Scene, SceneError, Shape, limits,
+    Candidates, ForceReading, Friction, Line, Listed, Loads, MAX_FILE_BYTES, Measurements,
+    Mechanics, Obstacle, Photo, Robot, Scene, SceneError, Shape, limits,
 };
 
-/// A scene with every key there is, one to a line; the edits below count on
-/// how its values are spelled.
+/// A scene with every key there is but those of `[[cable]]`, one to a line; the
+/// edits below count on how its values are spelled.
 const FULL: &str = include_str!("cases/scene/full.toml");
 
 /// The sentences about a scene text: what keeps it from being read, or else
@@ -38,17 +38,34 @@ fn the_full_scene_is_fine_and_read_as_written() {
     check(FULL, &[]);
     let scene = Scene::from_toml(FULL).unwrap();
     assert_eq!(scene.title.as_deref(), Some("Full"));
-    assert_eq!((scene.robot.segments, scene.robot.rim_mm()), (18, 10.0));
+    assert_eq!((scene.robot.segments, scene.rim_mm()), (18, 10.0));
     assert_eq!(
         (scene.robot.base_mm, scene.robot.base_angle_deg),
         ([1.0, 2.0], 4.0)
     );
-    assert_eq!(scene.actuation.pull_mm, 5.0);
+    assert_eq!(scene.model.mechanics, Mechanics::Sliding);
+    assert_eq!((scene.cable_count(), scene.pull_mm()), (1, 5.0));
+    assert_eq!((scene.offset_mm(), scene.cable(0).diameter_mm), (8.0, 0.5));
+    assert_eq!(scene.robot.disk_mass_g, 1.25);
+    assert_eq!(scene.robot.backbone_mass_g, 4.5);
+    let friction = Friction {
+        holes: 0.275,
+        contacts: 0.225,
+        base_loss: 0.165,
+    };
+    assert_eq!(scene.friction, friction);
+    let loads = Loads {
+        tip_force_n: [0.25, -0.15],
+        tip_moment_nmm: 12.5,
+        gravity_m_s2: [0.375, -9.80665],
+    };
+    assert_eq!(scene.loads, loads);
     assert_eq!(scene.contact.candidates, Candidates::Listed);
     assert_eq!(
         scene.contact.listed[0],
         Listed {
             line: Line::Cable,
+            cable: 0,
             node: 14
         }
     );
@@ -100,12 +117,13 @@ fn the_full_scene_is_fine_and_read_as_written() {
 
 #[test]
 fn the_least_scene_is_fine_and_takes_the_defaults() {
-    let text = "version = 1
+    let text = "version = 2
+        model = { mechanics = \"equal\" }
         robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
         actuation = { pull_mm = 0 }";
     check(text, &[]);
     assert_eq!(Scene::from_toml(text), Ok(Scene::default()));
-    assert_eq!(Scene::default().robot.rim_mm(), 8.0);
+    assert_eq!(Scene::default().rim_mm(), 8.0);
     assert_eq!(Scene::default().measured, None);
 
     let photo = "[photo]\nfile = \"a.png\"\ncenter_mm = [0, 90]\nwidth_mm = 200";
@@ -172,13 +190,13 @@ fn what_is_written_is_read_back_the_same() {
     let mut scene = Scene::from_toml(FULL).unwrap();
     scene.title = Some("quotes \" ''' and \\ and\nlines, ångström, \u{1f}".to_owned());
     scene.robot.length_mm = 0.1 + 0.2 + 100.0;
-    scene.actuation.pull_mm = f64::MIN_POSITIVE;
+    scene.set_pull_mm(f64::MIN_POSITIVE);
     scene.robot.base_mm = [-1e6, 1.0 / 3.0];
     assert_eq!(Scene::from_toml(&scene.to_toml().unwrap()), Ok(scene));
 
     let mut half_edited = Scene::default();
     half_edited.robot.length_mm = f64::INFINITY;
-    half_edited.actuation.pull_mm = -1e300;
+    half_edited.set_pull_mm(-1e300);
     half_edited.robot.segments = u32::MAX;
     half_edited.robot.bending_stiffness_nmm2 = Some(f64::NEG_INFINITY);
     half_edited.measured = Some(Measurements {
@@ -250,7 +268,7 @@ fn largest_measurements() -> Measurements {
 
 #[test]
 fn text_that_is_no_scene_is_refused_with_its_place() {
-    let empty = "the scene is empty; it needs at least `version = 1`, a [robot] table and an [actuation] table";
+    let empty = "the scene is empty; it needs at least `version = 2`, a [robot] table and an [actuation] table";
     check("", &[empty]);
     check(" \n\t\r\n  ", &[empty]);
     check("# nothing but a comment", &[empty]);
@@ -260,11 +278,11 @@ fn text_that_is_no_scene_is_refused_with_its_place() {
         &["line 1, column 7 is not valid TOML: key with no value, expected `=`"],
     );
     check(
-        "version = 1\nå = = 2",
+        "version = 2\nå = = 2",
         &["line 2, column 5 is not valid TOML: extra `=`, expected nothing"],
     );
     check(
-        "version = 1\nversion = 1",
+        "version = 2\nversion = 2",
         &["line 2, column 1 is not valid TOML: duplicate key"],
     );
     check(
@@ -293,7 +311,7 @@ fn bytes_that_are_no_text_are_refused() {
         Scene::from_toml_bytes(FULL.as_bytes()),
         Scene::from_toml(FULL)
     );
-    let error = Scene::from_toml_bytes(b"version = 1\n# \xff").unwrap_err();
+    let error = Scene::from_toml_bytes(b"version = 2\n# \xff").unwrap_err();
     assert_eq!(error, SceneError::NotText { byte: 14 });
     assert_eq!(
         error.to_string(),
@@ -344,27 +362,29 @@ fn deep_nesting_is_refused_on_the_usual_stack() {
 
 #[test]
 fn other_versions_are_named_before_anything_else() {
+    for version in ["0", "3", "-1", "9223372036854775807"] {
+        check_edit(
+            "version = 2",
+            &format!("version = {version}\nnovelty = 1"),
+            &[&format!(
+                "version is {version}; this program reads versions 1 to 2: write `version = 2`, or open the scene with the program that wrote it"
+            )],
+        );
+    }
     check_edit(
-        "version = 1",
-        "version = 2\nnovelty = 1",
-        &[
-            "version is 2; this program reads version 1 only: write `version = 1`, or open the scene with the program that wrote it",
-        ],
-    );
-    check_edit(
-        "version = 1",
+        "version = 2",
         "version = \"1\"",
-        &["version is \"1\", a string; it must be the whole number 1"],
+        &["version is \"1\", a string; it must be the whole number 2"],
     );
     check_edit(
-        "version = 1",
+        "version = 2",
         "version = 1.0",
-        &["version is 1.0, a number with a decimal point; it must be the whole number 1"],
+        &["version is 1.0, a number with a decimal point; it must be the whole number 2"],
     );
     check_edit(
-        "version = 1",
+        "version = 2",
         "",
-        &["version is missing; add the version of the file format, the whole number 1"],
+        &["version is missing; add the version of the file format, the whole number 2"],
     );
     let newer = Scene {
         version: 3,
@@ -409,7 +429,7 @@ fn unknown_keys_name_the_nearest_known_one() {
         (
             "pull_mm",
             "pull_mm = 5\nforce",
-            "actuation.force is not a key of a scene; use one of pull_mm",
+            "actuation.force is not a key of a scene; use one of pull_mm, load_g",
         ),
         (
             "candidates",
@@ -513,7 +533,7 @@ fn missing_keys_say_what_to_add() {
         ),
         (
             "pull_mm",
-            "actuation.pull_mm is missing; add the length of cable drawn in, negative to let cable out, a number of millimetres, from -100000 to 100000",
+            "actuation.pull_mm is missing; add the length of cable drawn in, negative to let cable out, a number of millimetres, from -100000 to 100000; or load_g, the weight that hangs on the cable, a number of grams, from 0 to 1000000",
         ),
         (
             "shape",
@@ -559,7 +579,7 @@ fn missing_keys_say_what_to_add() {
         check(&without(key), &[expected]);
     }
     check(
-        "version = 1\n[actuation]\npull_mm = 1",
+        "version = 2\n[actuation]\npull_mm = 1",
         &["robot is missing; add a table headed [robot] for the robot"],
     );
     check_edit(
@@ -704,7 +724,7 @@ fn wrong_kinds_are_told_in_plain_words() {
             "measured.force is 3, a number; it must be a list of tables, each under its own [[measured.force]]",
         ],
     );
-    let rest = "version = 1\nactuation = { pull_mm = 1 }\n";
+    let rest = "version = 2\nactuation = { pull_mm = 1 }\n";
     check(
         &format!("{rest}robot = 3"),
         &["robot is 3, a number; it must be a table"],
@@ -721,7 +741,7 @@ fn wrong_kinds_are_told_in_plain_words() {
 }
 
 /// Every number of [`FULL`] that may have a fraction, with its place.
-const NUMBERS: [(&str, &str, &str); 29] = [
+const NUMBERS: [(&str, &str, &str); 33] = [
     (
         "length_mm = 180.0",
         "robot.length_mm",
@@ -751,6 +771,26 @@ const NUMBERS: [(&str, &str, &str); 29] = [
         "cable_diameter_mm = 0.5",
         "robot.cable_diameter_mm",
         "from 0 to 10000 mm",
+    ),
+    (
+        "disk_mass_g = 1.25",
+        "robot.disk_mass_g",
+        "from 0 to 1000000 g",
+    ),
+    (
+        "backbone_mass_g = 4.5",
+        "robot.backbone_mass_g",
+        "from 0 to 1000000 g",
+    ),
+    (
+        "tip_force_n = [0.25",
+        "loads.tip_force_n[0]",
+        "from -1000000 to 1000000 N",
+    ),
+    (
+        "gravity_m_s2 = [0.375",
+        "loads.gravity_m_s2[0]",
+        "from -1000 to 1000 m/s²",
     ),
     (
         "base_mm = [1.0",
@@ -916,6 +956,31 @@ fn stiffnesses_and_shares_have_ranges_of_their_own() {
         check_edit("0.75", value, &[&expected]);
     }
     check_edit("0.75", "0", &[]);
+    for (place, field, range) in [
+        ("holes = 0.275", "friction.holes", "from 0 to 1000"),
+        ("contacts = 0.225", "friction.contacts", "from 0 to 1000"),
+        ("base_loss = 0.165", "friction.base_loss", "from 0 to 0.999"),
+    ] {
+        let key = &place[..=place.rfind(' ').unwrap()];
+        for value in ["inf", "-0.0001", "1000.5"] {
+            let expected = format!("{field} is {value}; set it to a value {range}");
+            check_edit(place, &format!("{key}{value}"), &[&expected]);
+        }
+        check_edit(place, &format!("{key}0"), &[]);
+    }
+    check_edit("holes = 0.275", "holes = 100", &[]);
+    check_edit(
+        "base_loss = 0.165",
+        "base_loss = 1",
+        &["friction.base_loss is 1; set it to a value from 0 to 0.999"],
+    );
+    for value in ["inf", "-1.5e9"] {
+        let expected = format!(
+            "loads.tip_moment_nmm is {value} N mm; set it to a value from -1000000000 to 1000000000 N mm"
+        )
+        .replace("1.5e9", "1500000000");
+        check_edit("12.5", value, &[&expected]);
+    }
     for nan in ["nan", "-nan"] {
         let expected = "robot.bending_stiffness_nmm2 is nan, not a number; set it to a value from 1e-6 to 1000000000000 N mm²";
         check_edit("8700.0", nan, &[expected]);
@@ -1054,10 +1119,16 @@ fn fields_that_contradict_each_other_are_named() {
     );
     check_edit(
         "segments_per_bay = 2",
-        "segments_per_bay = 20",
-        &[
-            "robot.segments_per_bay is 20, which does not divide robot.segments, 18, so that no disk sits at the tip; set it to 1, or set segments to 20",
-        ],
+        "segments_per_bay = 9",
+        &["robot.segments_per_bay is 9; set it to a value from 1 to 8 where the cable slides"],
+    );
+    let mut equal = Scene::default();
+    equal.robot.segments_per_bay = 9;
+    assert_eq!(equal.faults(), []);
+    equal.robot.segments_per_bay = 20;
+    assert_eq!(
+        equal.check().unwrap_err().to_string(),
+        "robot.segments_per_bay is 20, which does not divide robot.segments, 18, so that no disk sits at the tip; set it to 1, or set segments to 20"
     );
     check_edit(
         "disk_radius_mm = 10.0",

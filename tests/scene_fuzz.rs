@@ -5,8 +5,9 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use sinew::scene::Scene;
 
-const SCENES: [&str; 4] = [
+const SCENES: [&str; 5] = [
     include_str!("cases/scene/full.toml"),
+    include_str!("cases/scene/cables.toml"),
     include_str!("../assets/scenes/free.toml"),
     include_str!("../assets/scenes/shapes.toml"),
     include_str!("../assets/scenes/load-cell.toml"),
@@ -41,12 +42,14 @@ const EXTREMES: [&str; 24] = [
 ];
 
 /// Pieces spliced in anywhere.
-const PIECES: [&str; 17] = [
+const PIECES: [&str; 19] = [
     "[[obstacle]]\n",
     "[contact]\n",
     "[measured]\n",
     "[[measured.force]]\n",
     "[photo]\n",
+    "[[cable]]\n",
+    "[loads]\n",
     "\"",
     "'''",
     "[",
@@ -208,7 +211,10 @@ fn examine(bytes: &[u8]) -> Result<Outcome, TestCaseError> {
         );
     }
     prop_assert!(
-        scene.robot.length_mm >= 1.0 && scene.robot.cable_offset_mm >= 0.01,
+        scene.robot.length_mm >= 1.0
+            && scene
+                .each_cable()
+                .all(|cable| cable.offset_mm.abs() >= 0.01),
         "{written}"
     );
     prop_assert!(
@@ -218,12 +224,28 @@ fn examine(bytes: &[u8]) -> Result<Outcome, TestCaseError> {
             .is_multiple_of(scene.robot.segments_per_bay),
         "{written}"
     );
+    let cables = scene.cable_count();
+    prop_assert!((1..=16).contains(&cables), "{written}");
+    for cable in scene.each_cable() {
+        let to_disk = cable.to_disk.unwrap_or(1);
+        prop_assert!(
+            (1..=scene.last_disk()).contains(&to_disk) && scene.rim_mm() >= cable.offset_mm.abs(),
+            "{written}"
+        );
+    }
     prop_assert_eq!(Scene::from_toml(&written), Ok(scene));
     Ok(Outcome::Fine)
 }
 
+/// The keys of greater numbers.
+const FAR: [&str; 3] = [
+    "bending_stiffness_nmm2",
+    "axial_stiffness_n",
+    "tip_moment_nmm",
+];
+
 /// Whether every number is finite and at most a million, the widest range of
-/// any field but the stiffness.
+/// any field but stiffnesses and the moment.
 fn all_moderate(value: &toml::Value) -> bool {
     match value {
         toml::Value::Float(number) => number.abs() <= 1e6,
@@ -231,7 +253,7 @@ fn all_moderate(value: &toml::Value) -> bool {
         toml::Value::Array(items) => items.iter().all(all_moderate),
         toml::Value::Table(table) => table
             .iter()
-            .filter(|(key, _)| *key != "bending_stiffness_nmm2")
+            .filter(|(key, _)| !FAR.contains(&key.as_str()))
             .all(|(_, item)| all_moderate(item)),
         _ => true,
     }

@@ -13,7 +13,7 @@ const FREE: &str = include_str!("../assets/scenes/free.toml");
 /// A scene of the paper's robot with a disc.
 fn with_disc(pull_mm: f64, center_mm: [f64; 2], radius_mm: f64) -> Scene {
     let mut scene = Scene::from_toml(FREE).unwrap();
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     let disc = Shape::Disc {
         center_mm,
         radius_mm,

@@ -289,7 +289,7 @@ impl Window {
             }
             Action::Write(text) => self.events.push(Event::Text(text.to_owned())),
             Action::Command(command) => self.command(command),
-            Action::Pull(pull_mm) => self.edit(|scene| scene.actuation.pull_mm = pull_mm),
+            Action::Pull(pull_mm) => self.edit(|scene| scene.set_pull_mm(pull_mm)),
             Action::MoveObstacle(index, to) => self.edit(|scene| {
                 if let Some(obstacle) = scene.obstacles.get_mut(index) {
                     obstacle.shape.move_to_mm(to);
@@ -305,7 +305,7 @@ impl Window {
                 scene.robot.segments = segments;
                 scene.robot.segments_per_bay = bay;
             }),
-            Action::Offset(offset) => self.edit(|scene| scene.robot.cable_offset_mm = offset),
+            Action::Offset(offset) => self.edit(|scene| scene.robot.cable_offset_mm = Some(offset)),
         }
     }
 

@@ -12,7 +12,7 @@ const TWO_DISCS: &str = include_str!("../assets/scenes/two-discs.toml");
 
 fn two_discs(pull_mm: f64) -> Scene {
     let mut scene = Scene::from_toml(TWO_DISCS).unwrap();
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     scene
 }
 
@@ -57,7 +57,7 @@ fn the_mirror_image_with_the_lines_exchanged_is_the_same() {
     let scene = two_discs(5.0);
     let mut image = scene.clone();
     image.robot.length_mm = 175.0;
-    image.actuation.pull_mm = -5.0;
+    image.set_pull_mm(-5.0);
     for obstacle in &mut image.obstacles {
         if let Shape::Disc { center_mm, .. } = &mut obstacle.shape {
             center_mm[0] = 8.0 - center_mm[0];
@@ -201,6 +201,7 @@ fn a_single_node_meets_the_load_cell() {
         scene.contact.listed,
         [Listed {
             line: sinew::scene::Line::Cable,
+            cable: 0,
             node: 14
         }]
     );
@@ -220,7 +221,7 @@ fn an_obstacle_over_the_straight_robot_pushes_it_aside() {
             radius_mm: 12.0,
         };
         scene.obstacles.push(disc.into());
-        scene.actuation.pull_mm = 0.0;
+        scene.set_pull_mm(0.0);
         let solution = straight(&scene);
         let pushed = solution.events.iter().find_map(|event| match event.what {
             Occurrence::PushedAside { direction, .. } => Some(direction),
@@ -245,7 +246,7 @@ fn an_obstacle_dragged_through_never_passes_silently() {
         let at = |x: f64| {
             let mut scene = Scene::default();
             scene.contact.candidates = candidates;
-            scene.actuation.pull_mm = 2.0;
+            scene.set_pull_mm(2.0);
             let disc = Shape::Disc {
                 center_mm: [x, 110.0],
                 radius_mm: 10.0,
@@ -293,7 +294,7 @@ fn obstacles_that_stay_are_known_by_their_place() {
     };
     let with = |shapes: &[Shape]| {
         let mut scene = Scene::default();
-        scene.actuation.pull_mm = 6.0;
+        scene.set_pull_mm(6.0);
         scene.obstacles = shapes.iter().cloned().map(Into::into).collect();
         Problem::new(&scene).unwrap()
     };

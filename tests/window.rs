@@ -75,8 +75,7 @@ fn a_robot_that_can_go_no_further_is_greyed_with_its_reason() {
         .bench_mut()
         .document
         .scene
-        .actuation
-        .pull_mm = 12.0;
+        .set_pull_mm(12.0);
     window.harness.run();
     let status = &window.bench().live.solution().unwrap().status;
     assert!(!matches!(status, Status::Converged), "{status:?}");
@@ -144,7 +143,7 @@ fn a_jump_is_told_and_the_way_back_shows_another_branch() {
     let mut window = Window::sized(SIZE, Theme::Light, slip);
     let pull = |window: &mut Window, pull_mm: f64| {
         let bench = window.harness.state_mut().bench_mut();
-        bench.document.scene.actuation.pull_mm = pull_mm;
+        bench.document.scene.set_pull_mm(pull_mm);
         window.harness.run_steps(8);
     };
     let elsewhere = |window: &Window| {

@@ -205,7 +205,6 @@ fn short_toml(scene: &Scene) -> Result<String, LinkError> {
         for key in [
             "disk_thickness_mm",
             "backbone_diameter_mm",
-            "cable_diameter_mm",
             "base_angle_deg",
         ] {
             leave_out(robot, key, &zero);
@@ -214,6 +213,15 @@ fn short_toml(scene: &Scene) -> Result<String, LinkError> {
         let origin = Value::Array(vec![zero.clone(), zero.clone()]);
         leave_out(robot, "base_mm", &origin);
     }
+    if let Some(Value::Array(cables)) = table.get_mut("cable") {
+        for cable in cables.iter_mut().filter_map(Value::as_table_mut) {
+            leave_out(cable, "diameter_mm", &zero);
+        }
+    }
+    if let Some(Value::Table(model)) = table.get_mut("model") {
+        leave_out(model, "mechanics", &Value::String("sliding".to_owned()));
+    }
+    leave_out(&mut table, "model", &Value::Table(Table::new()));
     if let Some(Value::Array(obstacles)) = table.get_mut("obstacle") {
         for obstacle in obstacles.iter_mut().filter_map(Value::as_table_mut) {
             leave_out(obstacle, "rotation_deg", &zero);

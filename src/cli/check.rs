@@ -67,11 +67,11 @@ fn summary(scene: &Scene, problem: &Problem) -> String {
             number(robot.length_mm),
             robot.segments,
             robot.segments_per_bay,
-            number(robot.cable_offset_mm),
+            number(scene.offset_mm()),
         ),
         format!(
             "The pull is {} mm; the segments allow {} to {} mm.",
-            number(scene.actuation.pull_mm),
+            number(scene.pull_mm()),
             decimals(millimetres(least), 1),
             decimals(millimetres(most), 1),
         ),

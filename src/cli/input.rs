@@ -43,15 +43,20 @@ impl BadInput {
     }
 }
 
-/// The scene in a file and the problem it describes, its pull replaced where
-/// another one is given.
+/// The scene in a file and the problem it describes, its pull replaced where another one is given.
 pub(super) fn problem(path: &Path, pull_mm: Option<f64>) -> Result<(Scene, Problem), BadInput> {
     let origin = origin(path);
     let mut scene = bytes(path, A_SCENE)
         .and_then(|bytes| Ok(Scene::from_toml_bytes(&bytes)?))
         .map_err(|error: anyhow::Error| error.context(origin.clone()))?;
     if let Some(pull_mm) = pull_mm {
-        scene.actuation.pull_mm = pull_mm;
+        if scene.cable_count() > 1 {
+            return Err(BadInput::Arguments(format!(
+                "--pull names no cable, and {origin} has {}",
+                scene.cable_count()
+            )));
+        }
+        scene.set_pull_mm(pull_mm);
     }
     let mut faults = Problem::faults(&scene);
     if faults.is_empty() {
@@ -61,15 +66,18 @@ pub(super) fn problem(path: &Path, pull_mm: Option<f64>) -> Result<(Scene, Probl
         }
     }
     if pull_mm.is_some() {
-        faults.iter_mut().for_each(name_the_option);
+        let pull = scene.cable_field(0, "pull_mm");
+        for fault in &mut faults {
+            name_the_option(fault, &pull);
+        }
     }
     Err(BadInput::Faulty { origin, faults })
 }
 
 /// A fault of the pull given on the command line names that, not the file.
-fn name_the_option(fault: &mut SceneError) {
+fn name_the_option(fault: &mut SceneError, pull: &str) {
     if let SceneError::NotANumber { field, .. } | SceneError::OutOfRange { field, .. } = fault
-        && field == "actuation.pull_mm"
+        && field == pull
     {
         "--pull".clone_into(field);
     }

@@ -123,7 +123,7 @@ mod tests {
         let mut scene = Scene::default();
         scene.robot.base_mm = place.0;
         scene.robot.base_angle_deg = place.1;
-        scene.actuation.pull_mm = 0.0;
+        scene.set_pull_mm(0.0);
         scene.contact.candidates = candidates;
         scene.robot.disk_thickness_mm = 2.0;
         scene.obstacles = vec![shape.into()];

@@ -165,7 +165,7 @@ pub(super) fn figure_9() -> Result<Item, ExperimentError> {
         ),
         Check::ours("Pull at which it touches", "mm", onset).decimals(3),
     ];
-    let pull_mm = scene.actuation.pull_mm;
+    let pull_mm = scene.pull_mm();
     let pressed = solved_at(&problem, pull_mm)?;
     Ok(Item {
         id: Id::Fig9,

@@ -10,14 +10,7 @@ use crate::equilibrium::{Solution, Solved};
 use crate::forces::share_of_tension;
 use crate::geometry::Vector;
 use crate::robot::{Line, part_name};
-use crate::scene::Scene;
 use crate::units::{millimetres, picometres};
-
-/// The pull at which shapes are shown where the text gives none, as in the
-/// scene file.
-fn scene_pull_mm(scene: &Scene) -> f64 {
-    scene.actuation.pull_mm
-}
 
 /// Steps, in mm, at which a contact is looked for that stays once it is made; and
 /// those, with how far they go, for a pair of contacts that holds over a third
@@ -53,7 +46,7 @@ pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
             points: solved.backbone().collect(),
         });
     }
-    let solved = solved_at(&problem, scene_pull_mm(&scene))?;
+    let solved = solved_at(&problem, scene.pull_mm())?;
     Ok(Item {
         id: Id::Fig3b,
         title: "Profile of the free robot",
@@ -88,7 +81,7 @@ pub(super) fn figure_3b() -> Result<Item, ExperimentError> {
         data: vec![Data::Backbones(backbones)],
         pictures: vec![picture("robot", &scene, solved)],
         notes: Vec::new(),
-        missing: neither_pull_nor_photograph(scene_pull_mm(&scene)),
+        missing: neither_pull_nor_photograph(scene.pull_mm()),
     })
 }
 
@@ -114,7 +107,7 @@ fn off_the_arc(solved: &Solved) -> f64 {
 
 pub(super) fn figure_4a() -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::OneDisc.problem()?;
-    let pull_mm = scene_pull_mm(&scene);
+    let pull_mm = scene.pull_mm();
     let solved = solved_at(&problem, pull_mm)?;
     let begins = pull_window(&problem, pull_mm, STEP_MM, |s| pressing(s).next().is_some())?
         .ok_or(ExperimentError::NoContact("the post of Fig. 4a"))?;
@@ -163,7 +156,7 @@ pub(super) fn figure_4b() -> Result<Item, ExperimentError> {
     let window = pull_window(&problem, REACH_MM, FINE_STEP_MM, both_posts)?
         .ok_or(ExperimentError::NoContact("the posts of Fig. 4b"))?;
     let (first, last) = window.ends_mm();
-    let pull_mm = scene_pull_mm(&scene);
+    let pull_mm = scene.pull_mm();
     let solved = solved_at(&problem, pull_mm)?;
     let mut checks = post_checks(&solved);
     checks.push(Check::not_given(
@@ -255,7 +248,7 @@ fn contact_checks(solved: &Solved) -> Vec<Check> {
 
 pub(super) fn figure_5() -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::TwoDiscs.problem()?;
-    let pull_mm = scene_pull_mm(&scene);
+    let pull_mm = scene.pull_mm();
     let solved = solved_at(&problem, pull_mm)?;
     let nodes = solved.nodes.len();
     let of_post = |name: &'static str, obstacle: usize| {

@@ -3,7 +3,7 @@
 use super::problem::Problem;
 use crate::contact::{covers_base, obstacle};
 use crate::robot::Robot;
-use crate::scene::{self, Scene, SceneError, limits::shown};
+use crate::scene::{self, Drive, Mechanics, Scene, SceneError, limits::shown};
 use crate::units::{metres, millimetres};
 
 impl Problem {
@@ -34,15 +34,16 @@ impl Problem {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let robot = Robot::of(&scene.robot);
+        let pull_mm = pull_mm(scene).map_err(|fault| vec![fault])?;
+        let robot = Robot::of(scene);
         let candidates = robot.candidates(&scene.contact);
         let mut faults = Vec::new();
-        let pull = metres(scene.actuation.pull_mm);
+        let pull = metres(pull_mm);
         let (least, most) = robot.pull_range();
         if !(least..=most).contains(&pull) {
             faults.push(SceneError::not_within(
-                "actuation.pull_mm",
-                scene.actuation.pull_mm,
+                scene.cable_field(0, "pull_mm"),
+                pull_mm,
                 format!(
                     "for which the segments' linkages exist, from {} to {}",
                     shown(rounded_towards_zero(millimetres(least))),
@@ -72,6 +73,30 @@ impl Problem {
         } else {
             Err(faults)
         }
+    }
+}
+
+/// The pull of the one cable, where this mechanics can be asked for it.
+fn pull_mm(scene: &Scene) -> Result<f64, SceneError> {
+    if scene.model.mechanics == Mechanics::Sliding {
+        return Err(SceneError::Conflict {
+            field: "model.mechanics".to_owned(),
+            problem: "is \"sliding\", also where it is left out, and this program cannot solve \
+                      that model yet"
+                .to_owned(),
+            advice: "set it to \"equal\" for the paper's".to_owned(),
+        });
+    }
+    match scene.cable(0).drive {
+        Drive::PullMm(pull_mm) => Ok(pull_mm),
+        drive @ Drive::LoadG(load_g) => Err(SceneError::Conflict {
+            field: scene.cable_field(0, drive.key()),
+            problem: format!(
+                "is {} g, and this program cannot solve the paper's model for a load yet",
+                shown(load_g)
+            ),
+            advice: "set pull_mm in its place".to_owned(),
+        }),
     }
 }
 
@@ -118,11 +143,11 @@ mod tests {
     fn what_cannot_exist_is_told_with_its_bounds() {
         check(|_| {}, "fine");
         check(
-            |scene| scene.actuation.pull_mm = 176.5,
+            |scene| scene.set_pull_mm(176.5),
             "actuation.pull_mm is 176.5 mm; set it to a value for which the segments' linkages \
              exist, from -286.9 to 176.4 mm",
         );
-        check(|scene| scene.actuation.pull_mm = 176.4, "fine");
+        check(|scene| scene.set_pull_mm(176.4), "fine");
         check(
             |scene| {
                 scene.obstacles[0].shape = Shape::Disc {
@@ -162,7 +187,7 @@ mod tests {
 
     #[test]
     fn the_pull_range_ends_where_the_linkage_does() {
-        let robot = Robot::of(&scene::Robot::default());
+        let robot = Robot::of(&Scene::default());
         let (least, most) = robot.pull_range();
         for pull in [least, most] {
             let n = robot.segments as f64;

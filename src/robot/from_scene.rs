@@ -5,19 +5,20 @@ use super::dimensions::Robot;
 use super::node::PlanarNode;
 use super::sizes::Sizes;
 use crate::geometry::Vector;
-use crate::scene::{self, Candidates};
+use crate::scene::{self, Candidates, Scene};
 use crate::units::{metres, radians};
 
 impl Robot {
     /// The robot that a scene describes, whose fields are in their ranges.
-    pub fn of(described: &scene::Robot) -> Self {
+    pub fn of(scene: &Scene) -> Self {
+        let described = &scene.robot;
         let angle = radians(described.base_angle_deg);
         Self {
             length: metres(described.length_mm),
             segments: described.segments as usize,
             segments_per_bay: described.segments_per_bay as usize,
-            offset: metres(described.cable_offset_mm),
-            sizes: Sizes::of(described),
+            offset: metres(scene.offset_mm()),
+            sizes: Sizes::of(scene),
             base: PlanarNode {
                 position: Vector::from(described.base_mm.map(metres)),
                 disk: Vector::new(libm::cos(angle), libm::sin(angle)),
@@ -44,12 +45,18 @@ impl Robot {
                 .flat_map(|i| [at(Line::Backbone, i, 0.0), at(Line::Cable, i, cable)])
                 .collect(),
             Candidates::Listed => {
-                let listed = contact.listed.iter().map(|listed| {
+                let rim = self.sizes.rim;
+                let listed = contact.listed.iter().flat_map(|listed| {
                     let node = listed.node as usize;
-                    match listed.line {
-                        scene::Line::Backbone => at(Line::Backbone, node, 0.0),
-                        scene::Line::Cable => at(Line::Cable, node, cable),
-                    }
+                    let (first, second) = match listed.line {
+                        scene::Line::Backbone => (at(Line::Backbone, node, 0.0), None),
+                        scene::Line::Cable => (at(Line::Cable, node, cable), None),
+                        scene::Line::Rim => (
+                            at(Line::RimCableSide, node, rim),
+                            Some(at(Line::RimFarSide, node, -rim)),
+                        ),
+                    };
+                    [Some(first), second].into_iter().flatten()
                 });
                 listed.collect()
             }

@@ -63,12 +63,12 @@ pub fn part_name(robot: &Robot, line: Line, node: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene;
+    use crate::scene::Scene;
 
     /// Two segments a bay, as the paper's.
     #[test]
     fn parts_are_named_by_their_disks_as_the_paper_counts_them() {
-        let robot = Robot::of(&scene::Robot::default());
+        let robot = Robot::of(&Scene::default());
         let check = |line, node, expected: &str| {
             assert_eq!(part_name(&robot, line, node), expected);
         };

@@ -1,7 +1,7 @@
 //! How thick the robot's parts are: the one source for contacts and pictures.
 //! The mechanics do not depend on it, but through what may touch.
 
-use crate::scene;
+use crate::scene::Scene;
 use crate::units::metres;
 use serde::{Deserialize, Serialize};
 
@@ -19,13 +19,18 @@ pub struct Sizes {
 }
 
 impl Sizes {
-    /// The sizes of a scene's robot.
-    pub fn of(described: &scene::Robot) -> Self {
+    /// The sizes of a scene's robot, whose fields are in their ranges.
+    pub fn of(scene: &Scene) -> Self {
+        let described = &scene.robot;
+        let cable_mm = scene
+            .each_cable()
+            .next()
+            .map_or(0.0, |first| first.diameter_mm);
         Self {
-            rim: metres(described.rim_mm()),
+            rim: metres(scene.rim_mm()),
             disk: metres(described.disk_thickness_mm),
             backbone: metres(described.backbone_diameter_mm),
-            cable: metres(described.cable_diameter_mm),
+            cable: metres(cable_mm),
         }
     }
 }

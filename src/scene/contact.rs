@@ -27,22 +27,32 @@ pub enum Candidates {
     Listed,
 }
 
-/// A node that obstacles keep out.
+/// A point or a rim at a node that obstacles keep out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Listed {
     /// The line the node is on.
     pub line: Line,
+    /// The cable that the node is on, from 0; 0 for the other lines.
+    #[serde(default, skip_serializing_if = "is_first")]
+    pub cable: u32,
     /// The node's index, from 1 to the number of segments: node 0 is the base
-    /// and does not move. The paper counts from 1, so its node 15 is 14 here.
+    /// and does not move. A rim's carries a disk. The paper counts from 1, so
+    /// its node 15 is 14 here.
     pub node: u32,
 }
 
-/// One of the two lines the robot's nodes lie on.
+fn is_first(cable: &u32) -> bool {
+    *cable == 0
+}
+
+/// A line of the robot that a scene can name nodes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Line {
     /// The elastic middle line.
     Backbone,
-    /// The cable beside it.
+    /// A cable beside it.
     Cable,
+    /// Both ends of a disk.
+    Rim,
 }

@@ -46,7 +46,7 @@ pub enum SceneError {
 
     /// A version of the format that this program does not know.
     #[error(
-        "version is {found}; this program reads version {VERSION} only: write `version = {VERSION}`, or open the scene with the program that wrote it"
+        "version is {found}; this program reads versions 1 to {VERSION}: write `version = {VERSION}`, or open the scene with the program that wrote it"
     )]
     Version {
         /// The version in the file.
@@ -62,6 +62,17 @@ pub enum SceneError {
         nearest: Option<&'static str>,
         /// The keys that may stand there.
         known: Vec<&'static str>,
+    },
+
+    /// A key that came with a later version than the file's.
+    #[error(
+        "{path} needs version = {since}; write `version = {since}` and, to keep the paper's model, [model] with mechanics = \"equal\""
+    )]
+    NewerKey {
+        /// The key with the tables it is in.
+        path: String,
+        /// The version it came with.
+        since: u32,
     },
 
     /// A word outside the choice.
@@ -214,6 +225,7 @@ impl SceneError {
             | SceneError::NotWritable { .. } => None,
             SceneError::Version { .. } => Some("version"),
             SceneError::UnknownKey { path: field, .. }
+            | SceneError::NewerKey { path: field, .. }
             | SceneError::UnknownWord { path: field, .. }
             | SceneError::MissingKey { path: field, .. }
             | SceneError::WrongType { path: field, .. }

@@ -1,17 +1,22 @@
-//! Everything in a scene that cannot be meant: numbers outside their range and
-//! fields that contradict each other. Knows no mechanics and no distances.
+//! Everything in a scene that cannot be meant: numbers outside their range,
+//! fields that contradict each other, and those that its model does not know.
+//! Computes no mechanics and no distances.
+
+mod driven;
+mod equal;
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
 use super::limits::{
-    ANGLE, BENDING_STIFFNESS, CABLE_OFFSET, COORDINATE, CORNER_RADIUS, DISK_RADIUS, DISK_THICKNESS,
-    FORCE, LEAST_MEASURED_POINTS, LENGTH, LINE_DIAMETER, LOAD, Limits, MEASURED_NODE,
-    MEASURED_POINTS, NODE, OBSTACLES, OPACITY, PHOTO_WIDTH, PULL, RADIUS, READING, READINGS,
-    SEGMENTS, SEGMENTS_PER_BAY, SIDE, VERTICES, shown,
+    ANGLE, BENDING_STIFFNESS, CABLE, CABLE_OFFSET, COORDINATE, CORNER_RADIUS, DISK_RADIUS,
+    DISK_THICKNESS, FORCE, LEAST_MEASURED_POINTS, LENGTH, LINE_DIAMETER, LOAD, Limits, MASS,
+    MEASURED_NODE, MEASURED_POINTS, NODE, OBSTACLES, OPACITY, PHOTO_WIDTH, RADIUS, READING,
+    READINGS, SEGMENTS, SEGMENTS_PER_BAY, SIDE, SLIDING_SEGMENTS_PER_BAY, VERTICES, shown,
 };
 use super::{
-    Candidates, Contact, Measurements, Photo, Robot, Scene, SceneError, Shape, VERSION, polygon,
+    Candidates, Line, Listed, Measurements, Mechanics, Photo, Scene, SceneError, Shape, VERSION,
+    polygon,
 };
 
 impl Scene {
@@ -24,9 +29,14 @@ impl Scene {
             let found = i64::from(self.version);
             faults.0.push(SceneError::Version { found });
         }
-        robot(&mut faults, &self.robot);
-        faults.number("actuation", "pull_mm", self.actuation.pull_mm, PULL);
-        contact(&mut faults, &self.contact, self.robot.segments);
+        robot(&mut faults, self);
+        driven::cables(&mut faults, self);
+        driven::friction(&mut faults, &self.friction);
+        driven::loads(&mut faults, self);
+        if self.model.mechanics == Mechanics::Equal {
+            equal::faults(&mut faults, self);
+        }
+        contact(&mut faults, self);
         faults.count("obstacle", self.obstacles.len(), OBSTACLES);
         for (index, obstacle) in self.obstacles.iter().enumerate() {
             let at = format_args!("obstacle[{index}]");
@@ -50,15 +60,22 @@ impl Scene {
     }
 }
 
-fn robot(faults: &mut Faults, robot: &Robot) {
-    let at = "robot";
+fn robot(faults: &mut Faults, scene: &Scene) {
+    let (at, robot) = ("robot", &scene.robot);
     faults.number(at, "length_mm", robot.length_mm, LENGTH);
 
     let segments = robot.segments;
     let per_bay = robot.segments_per_bay;
     let segments_fine = faults.number(at, "segments", segments.into(), SEGMENTS);
     let key = "segments_per_bay";
-    let per_bay_fine = faults.number(at, key, per_bay.into(), SEGMENTS_PER_BAY);
+    let mut per_bay_fine = faults.number(at, key, per_bay.into(), SEGMENTS_PER_BAY);
+    let most = SLIDING_SEGMENTS_PER_BAY;
+    if per_bay_fine && scene.model.mechanics == Mechanics::Sliding && !most.contain(per_bay.into())
+    {
+        let allowed = format!("{most} where the cable slides");
+        faults.not_within(at, key, per_bay.into(), allowed, most);
+        per_bay_fine = false;
+    }
     if segments_fine && per_bay_fine && !segments.is_multiple_of(per_bay) {
         let fewer = segments - segments % per_bay;
         let more = fewer + per_bay;
@@ -73,14 +90,22 @@ fn robot(faults: &mut Faults, robot: &Robot) {
         faults.conflict("robot.segments_per_bay", problem, advice);
     }
 
-    let offset = robot.cable_offset_mm;
-    let offset_fine = faults.number(at, "cable_offset_mm", offset, CABLE_OFFSET);
+    if let Some(offset) = robot.cable_offset_mm {
+        faults.number(at, "cable_offset_mm", offset, CABLE_OFFSET);
+    }
     if let Some(radius) = robot.disk_radius_mm {
         let key = "disk_radius_mm";
         let radius_fine = faults.number(at, key, radius, DISK_RADIUS);
-        if offset_fine && radius_fine && radius < offset {
-            let (least, most) = (shown(offset), shown(DISK_RADIUS.max));
-            let allowed = format!("from robot.cable_offset_mm, {least}, to {most}");
+        if let Some((k, widest)) = scene.widest_cable()
+            && CABLE_OFFSET.contain(widest)
+            && radius_fine
+            && radius < widest
+        {
+            let field = scene.cable_field(k, "offset_mm");
+            let offset = scene.cable(k).offset_mm;
+            let amount = if offset < 0.0 { "the amount of " } else { "" };
+            let (least, most) = (shown(widest), shown(DISK_RADIUS.max));
+            let allowed = format!("from {amount}{field}, {least}, to {most}");
             faults.not_within(at, key, radius, allowed, DISK_RADIUS);
         }
     }
@@ -99,11 +124,14 @@ fn robot(faults: &mut Faults, robot: &Robot) {
         let key = "bending_stiffness_nmm2";
         faults.number(at, key, stiffness, BENDING_STIFFNESS);
     }
+    faults.number(at, "disk_mass_g", robot.disk_mass_g, MASS);
+    faults.number(at, "backbone_mass_g", robot.backbone_mass_g, MASS);
     faults.pair("robot.base_mm", robot.base_mm, COORDINATE);
     faults.number(at, "base_angle_deg", robot.base_angle_deg, ANGLE);
 }
 
-fn contact(faults: &mut Faults, contact: &Contact, segments: u32) {
+fn contact(faults: &mut Faults, scene: &Scene) {
+    let contact = &scene.contact;
     let field = "contact.listed";
     match (contact.candidates, contact.listed.is_empty()) {
         (Candidates::Listed, true) => faults.conflict(
@@ -118,20 +146,54 @@ fn contact(faults: &mut Faults, contact: &Contact, segments: u32) {
         ),
         _ => {}
     }
-    let segments_fine = SEGMENTS.contain(segments.into());
     let mut seen = BTreeMap::new();
-    for (index, listed) in contact.listed.iter().enumerate() {
+    for (index, entry) in contact.listed.iter().enumerate() {
         let at = format_args!("contact.listed[{index}]");
-        let node = f64::from(listed.node);
-        let in_range = faults.number(at, "node", node, NODE);
-        if in_range && segments_fine && listed.node > segments {
-            let allowed = format!("from 1 to robot.segments, {segments}");
-            faults.not_within(at, "node", node, allowed, NODE);
-        }
-        if let Some(first) = seen.insert(*listed, index) {
+        listed(faults, at, entry, scene);
+        if let Some(first) = seen.insert(*entry, index) {
             let problem = format!("is the same node as contact.listed[{first}]");
             faults.conflict(at, problem, "remove one of them");
         }
+    }
+}
+
+fn listed(faults: &mut Faults, at: impl Display + Copy, entry: &Listed, scene: &Scene) {
+    let robot = &scene.robot;
+    let cable_fine = faults.number(at, "cable", entry.cable.into(), CABLE);
+    let (node, count) = (f64::from(entry.node), scene.cable_count());
+    let cable = entry.cable as usize;
+    let mut last = (robot.segments, "robot.segments".to_owned());
+    if entry.line != Line::Cable {
+        if cable_fine && cable > 0 {
+            let problem = format!("is {cable}, and the node is on no cable");
+            faults.conflict(format_args!("{at}.cable"), problem, "leave it out");
+        }
+    } else if cable_fine && cable >= count && count > 0 {
+        let allowed = format!("from 0 to the last cable, {}", count - 1);
+        faults.not_within(at, "cable", cable as f64, allowed, CABLE);
+    } else if cable < count
+        && let Some(disk) = scene.cable(cable).to_disk
+        && (1..=scene.last_disk()).contains(&disk)
+    {
+        let end = format!("the end of cable[{cable}]");
+        last = (disk * robot.segments_per_bay, end);
+    }
+    let in_range = faults.number(at, "node", node, NODE);
+    if !in_range || !SEGMENTS.contain(robot.segments.into()) {
+        return;
+    }
+    if entry.node > last.0 {
+        let allowed = format!("from 1 to {}, {}", last.1, last.0);
+        faults.not_within(at, "node", node, allowed, NODE);
+    } else if entry.line == Line::Rim && !entry.node.is_multiple_of(robot.segments_per_bay) {
+        faults.conflict(
+            format_args!("{at}.node"),
+            format!(
+                "is {node}, a node without a disk, and so without a rim, as robot.segments_per_bay is {}",
+                robot.segments_per_bay
+            ),
+            "name a node that it divides",
+        );
     }
 }
 

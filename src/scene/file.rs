@@ -1,6 +1,6 @@
 //! Scenes from text and to text. Opens no files.
 
-use super::{Scene, SceneError, slip, walk};
+use super::{Scene, SceneError, migrate, slip, walk};
 
 /// The largest scene text that is looked at, in bytes.
 ///
@@ -11,15 +11,25 @@ pub const MAX_FILE_BYTES: usize = 4 << 20;
 
 impl Scene {
     /// The scene the text describes, its numbers as written: see
-    /// [`Scene::check`] for what they may be.
+    /// [`Scene::check`] for what they may be. A file of version 1 becomes the
+    /// scene of version 2 that means the same, with the paper's model.
     ///
     /// # Errors
     /// When the text is larger than [`MAX_FILE_BYTES`], is not TOML, or does
     /// not have the shape of a scene: the first fault found.
     pub fn from_toml(text: &str) -> Result<Scene, SceneError> {
         refuse_large(text.len())?;
-        let table: toml::Table = text.parse().map_err(|error| not_toml(text, &error))?;
+        let mut table: toml::Table = text.parse().map_err(|error| not_toml(text, &error))?;
         walk::scene(&table)?;
+        migrate::to_present(&mut table);
+        Scene::from_table(table)
+    }
+
+    /// The scene of a table of the present version, which the walk has passed.
+    ///
+    /// # Errors
+    /// [`SceneError::NotAScene`], which no table is known to lead to.
+    pub(super) fn from_table(table: toml::Table) -> Result<Scene, SceneError> {
         // The walk has named every fault that a hand can make; whatever it lets
         // pass and the types refuse is told in serde's words.
         table

@@ -4,8 +4,11 @@
 //! and behind the JSON Schema. The values themselves are read by serde into
 //! the types of this layer; a test holds the two together.
 
-use super::VERSION;
-use super::limits::{self, Limits, Unit};
+mod table;
+
+use super::limits::{Limits, Unit};
+use super::{SceneError, VERSION};
+pub(super) use table::{SCENE, SHAPE, SHAPES};
 
 /// A key of a table.
 pub(super) struct Key {
@@ -17,6 +20,8 @@ pub(super) struct Key {
     pub kind: Kind,
     /// Whether it may be left out.
     pub presence: Presence,
+    /// The version of the file format that it came with.
+    pub since: u32,
 }
 
 /// Whether a key may be left out.
@@ -24,6 +29,8 @@ pub(super) struct Key {
 pub(super) enum Presence {
     Required,
     Optional,
+    /// Exactly one of the table's keys of this kind is there.
+    OneOf,
 }
 
 /// What a key may hold.
@@ -70,293 +77,16 @@ pub(super) struct ShapeKeys {
     pub keys: &'static [Key],
 }
 
-pub(super) const SCENE: &[Key] = &[
-    required("version", "the version of the file format", Kind::Version),
-    optional("title", "what the scene is called", Kind::Text),
-    required("robot", "the robot", Kind::Table(ROBOT)),
-    required("actuation", "what drives the robot", Kind::Table(ACTUATION)),
-    optional(
-        "contact",
-        "which parts of the robot obstacles keep out",
-        Kind::Table(CONTACT),
-    ),
-    optional("obstacle", "what stands around the robot", Kind::Obstacles),
-    optional(
-        "measured",
-        "what was measured on the robot",
-        Kind::Table(MEASURED),
-    ),
-    optional("photo", "a photograph behind the robot", Kind::Table(PHOTO)),
-];
-
-const ROBOT: &[Key] = &[
-    required(
-        "length_mm",
-        "the length of the backbone",
-        Kind::Number(limits::LENGTH),
-    ),
-    required(
-        "segments",
-        "the number of segments the backbone is divided into",
-        Kind::Whole(limits::SEGMENTS),
-    ),
-    optional(
-        "segments_per_bay",
-        "the number of segments between neighbouring disks, which must divide segments",
-        Kind::Whole(limits::SEGMENTS_PER_BAY),
-    ),
-    required(
-        "cable_offset_mm",
-        "the distance between backbone and cable",
-        Kind::Number(limits::CABLE_OFFSET),
-    ),
-    optional(
-        "disk_radius_mm",
-        "the radius of the disks' rim, at least cable_offset_mm and equal to it when left out",
-        Kind::Number(limits::DISK_RADIUS),
-    ),
-    optional(
-        "disk_thickness_mm",
-        "the thickness of a disk",
-        Kind::Number(limits::DISK_THICKNESS),
-    ),
-    optional(
-        "backbone_diameter_mm",
-        "the diameter of the backbone",
-        Kind::Number(limits::LINE_DIAMETER),
-    ),
-    optional(
-        "cable_diameter_mm",
-        "the diameter of the cable",
-        Kind::Number(limits::LINE_DIAMETER),
-    ),
-    optional(
-        "bending_stiffness_nmm2",
-        "the backbone's bending stiffness EI, which turns multipliers into forces",
-        Kind::Number(limits::BENDING_STIFFNESS),
-    ),
-    optional(
-        "base_mm",
-        "where the backbone starts",
-        Kind::Pair(limits::COORDINATE),
-    ),
-    optional(
-        "base_angle_deg",
-        "the turn of the whole robot about its base, counterclockwise from +y",
-        Kind::Number(limits::ANGLE),
-    ),
-];
-
-const ACTUATION: &[Key] = &[required(
-    "pull_mm",
-    "the length of cable drawn in, negative to let cable out",
-    Kind::Number(limits::PULL),
-)];
-
-const CONTACT: &[Key] = &[
-    optional(
-        "candidates",
-        "what obstacles keep out: all nodes of backbone and cable, the robot's whole body, or the listed nodes",
-        Kind::Word(&["nodes", "body", "listed"]),
-    ),
-    optional(
-        "listed",
-        "the nodes that obstacles keep out when candidates is \"listed\"",
-        // No more nodes than the robot has can be listed once each.
-        Kind::Tables(
-            LISTED,
-            2 * limits::SEGMENTS.max as usize,
-            "such as [{ line = \"cable\", node = 1 }]",
-        ),
-    ),
-];
-
-const LISTED: &[Key] = &[
-    required(
-        "line",
-        "the line the node is on",
-        Kind::Word(&["backbone", "cable"]),
-    ),
-    required(
-        "node",
-        "the index of the node, the base being 0 and the tip robot.segments",
-        Kind::Whole(limits::NODE),
-    ),
-];
-
-const MEASURED: &[Key] = &[
-    optional(
-        "points_mm",
-        "a measured backbone in the scene's frame, base to tip",
-        Kind::Points(
-            limits::COORDINATE,
-            limits::LEAST_MEASURED_POINTS,
-            limits::MEASURED_POINTS,
-        ),
-    ),
-    optional(
-        "nodes",
-        "the node that each of points_mm is, ascending, the base being 0",
-        Kind::Wholes(limits::MEASURED_NODE, limits::MEASURED_POINTS),
-    ),
-    optional(
-        "calibration",
-        "the index of the reading that fixes the ratio of the force's components, the first being 0",
-        Kind::Whole(limits::READING),
-    ),
-    optional(
-        "force",
-        "readings of the contact force",
-        Kind::Tables(
-            READING,
-            limits::READINGS,
-            "each under its own [[measured.force]]",
-        ),
-    ),
-];
-
-const READING: &[Key] = &[
-    required(
-        "load_g",
-        "the weight on the cable, counted from contact",
-        Kind::Number(limits::LOAD),
-    ),
-    required(
-        "force_g",
-        "the contact force that was read, as a weight",
-        Kind::Number(limits::FORCE),
-    ),
-];
-
-const PHOTO: &[Key] = &[
-    required(
-        "file",
-        "the picture's file, from the folder of the scene file",
-        Kind::Text,
-    ),
-    CENTER,
-    required(
-        "width_mm",
-        "its width in the scene before its turn",
-        Kind::Number(limits::PHOTO_WIDTH),
-    ),
-    optional(
-        "rotation_deg",
-        "its turn about its centre, counterclockwise",
-        Kind::Number(limits::ANGLE),
-    ),
-    optional(
-        "opacity",
-        "how much of it shows",
-        Kind::Number(limits::OPACITY),
-    ),
-];
-
-pub(super) const SHAPES: &[ShapeKeys] = &[
-    ShapeKeys {
-        word: SHAPE_WORDS[0],
-        about: "a round post",
-        keys: &[SHAPE, NAME, CENTER, RADIUS],
-    },
-    ShapeKeys {
-        word: SHAPE_WORDS[1],
-        about: "everything behind a straight line",
-        keys: &[
-            SHAPE,
-            NAME,
-            required(
-                "point_mm",
-                "a point of the wall's surface",
-                Kind::Pair(limits::COORDINATE),
-            ),
-            optional(
-                "rotation_deg",
-                "the direction from the wall towards the free side, counterclockwise from +x",
-                Kind::Number(limits::ANGLE),
-            ),
-            optional(
-                "corner_radius_mm",
-                "how far the surface is shifted towards the free side",
-                Kind::Number(limits::CORNER_RADIUS),
-            ),
-        ],
-    },
-    ShapeKeys {
-        word: SHAPE_WORDS[2],
-        about: "a rectangle",
-        keys: &[
-            SHAPE,
-            NAME,
-            CENTER,
-            required(
-                "size_mm",
-                "its outer width and height before its turn",
-                Kind::Pair(limits::SIDE),
-            ),
-            TURN,
-            optional(
-                "corner_radius_mm",
-                "the radius that rounds its corners, inside its outer size and at most half the smaller side",
-                Kind::Number(limits::CORNER_RADIUS),
-            ),
-        ],
-    },
-    ShapeKeys {
-        word: SHAPE_WORDS[3],
-        about: "a straight bar with round ends",
-        keys: &[
-            SHAPE,
-            NAME,
-            CENTER,
-            required(
-                "length_mm",
-                "the distance between the centres of its round ends",
-                Kind::Number(limits::SIDE),
-            ),
-            RADIUS,
-            optional(
-                "rotation_deg",
-                "the direction of its axis, counterclockwise from +x",
-                Kind::Number(limits::ANGLE),
-            ),
-        ],
-    },
-    ShapeKeys {
-        word: SHAPE_WORDS[4],
-        about: "a convex polygon, grown by a radius",
-        keys: &[
-            SHAPE,
-            NAME,
-            required(
-                "points_mm",
-                "its vertices in order, either way round",
-                Kind::Points(limits::COORDINATE, limits::LEAST_VERTICES, limits::VERTICES),
-            ),
-            TURN,
-            optional(
-                "corner_radius_mm",
-                "how far outside the vertices' polygon the outline lies",
-                Kind::Number(limits::CORNER_RADIUS),
-            ),
-        ],
-    },
-];
-
-const SHAPE_WORDS: &[&str] = &["disc", "wall", "box", "capsule", "polygon"];
-/// The key that tells which of [`SHAPES`] an obstacle's other keys are.
-pub(super) const SHAPE: Key = required(
-    "shape",
-    "the shape of the obstacle",
-    Kind::Word(SHAPE_WORDS),
-);
-const NAME: Key = optional("name", "what the obstacle is called", Kind::Text);
-const CENTER: Key = required("center_mm", "its centre", Kind::Pair(limits::COORDINATE));
-const RADIUS: Key = required("radius_mm", "its radius", Kind::Number(limits::RADIUS));
-const TURN: Key = optional(
-    "rotation_deg",
-    "its turn about its centre or the mean of its vertices, counterclockwise",
-    Kind::Number(limits::ANGLE),
-);
+/// An optional key that files of version 1 do not have.
+const fn newer(name: &'static str, about: &'static str, kind: Kind) -> Key {
+    Key {
+        name,
+        about,
+        kind,
+        presence: Presence::Optional,
+        since: 2,
+    }
+}
 
 const fn required(name: &'static str, about: &'static str, kind: Kind) -> Key {
     Key {
@@ -364,6 +94,7 @@ const fn required(name: &'static str, about: &'static str, kind: Kind) -> Key {
         about,
         kind,
         presence: Presence::Required,
+        since: 1,
     }
 }
 
@@ -373,6 +104,33 @@ const fn optional(name: &'static str, about: &'static str, kind: Kind) -> Key {
         about,
         kind,
         presence: Presence::Optional,
+        since: 1,
+    }
+}
+
+/// The fault of a key that has to be there and is not.
+pub(super) fn missing(key: &Key, path: String) -> SceneError {
+    let what = match &key.kind {
+        Kind::Table(_) => format!("a table headed [{path}] for {}", key.about),
+        kind => format!("{}, {}", key.about, expected(kind)),
+    };
+    SceneError::MissingKey { path, what }
+}
+
+/// Like [`missing`], for a key of the top or one of its tables, named from
+/// there: `actuation` or `robot.cable_offset_mm`.
+pub(super) fn missing_at(path: &str) -> SceneError {
+    let named = |keys: &'static [Key], name| keys.iter().find(|key| key.name == name);
+    let key = match path.split_once('.') {
+        None => named(SCENE, path),
+        Some((table, name)) => match named(SCENE, table).map(|key| &key.kind) {
+            Some(Kind::Table(keys)) => named(keys, name),
+            _ => None,
+        },
+    };
+    match key {
+        Some(key) => missing(key, path.to_owned()),
+        None => unreachable!("{path} is no key of the table above"),
     }
 }
 
@@ -408,6 +166,9 @@ pub(super) fn number(range: &Limits) -> String {
         Unit::Degree => format!("a number of degrees, {range}"),
         Unit::Gram => format!("a number of grams, {range}"),
         Unit::NewtonSquareMillimetre => format!("a number of N mm², {range}"),
+        Unit::Newton => format!("a number of newtons, {range}"),
+        Unit::NewtonMillimetre => format!("a number of N mm, {range}"),
+        Unit::MetrePerSecondSquared => format!("a number of m/s², {range}"),
         Unit::One => format!("a number, {range}"),
     }
 }

@@ -28,6 +28,12 @@ pub enum Unit {
     Gram,
     /// N mm², of bending stiffnesses.
     NewtonSquareMillimetre,
+    /// Newtons.
+    Newton,
+    /// N mm, of moments.
+    NewtonMillimetre,
+    /// m/s², of accelerations.
+    MetrePerSecondSquared,
     /// Plain counts and shares.
     One,
 }
@@ -38,9 +44,59 @@ pub const LENGTH: Limits = mm(1.0, 1e5);
 pub const SEGMENTS: Limits = count(1.0, 1e5);
 /// Number of segments between neighbouring disks.
 pub const SEGMENTS_PER_BAY: Limits = SEGMENTS;
+/// Number of segments between neighbouring disks where the cables slide: a bay
+/// is solved as one block, whose cost grows with its cube, and more than two
+/// serve contacts between disks only.
+pub const SLIDING_SEGMENTS_PER_BAY: Limits = count(1.0, 8.0);
+/// Number of disks without the base's.
+pub const DISKS: Limits = SEGMENTS;
+/// Distance between neighbouring disks.
+pub const DISK_SPACING: Limits = mm(1e-5, 1e5);
 /// Distance between backbone and cable.
 pub const CABLE_OFFSET: Limits = mm(0.01, 1e4);
-/// Radius of a disk's rim, which is also at least the cable offset.
+/// Distance between backbone and cable, negative on the other side. Its amount
+/// is in the range [`CABLE_OFFSET`], too.
+pub const CABLE_SIDE: Limits = mm(-CABLE_OFFSET.max, CABLE_OFFSET.max);
+/// Most cables of a robot: more than any robot has that was built.
+pub const CABLES: usize = 16;
+/// Index of a cable, which is also below their number.
+pub const CABLE: Limits = count(0.0, (CABLES - 1) as f64);
+/// The disk that a cable ends at, which is also at most the last.
+pub const TO_DISK: Limits = DISKS;
+/// Stiffness of a cable against stretching: from far below a rubber thread's to
+/// that of solid steel as thick as an arm.
+pub const AXIAL_STIFFNESS: Limits = Limits {
+    min: 1e-6,
+    max: 1e12,
+    unit: Unit::Newton,
+};
+/// Coefficient of friction. No dry pair of materials comes near the most, which
+/// lets a cable be held fast in its holes.
+pub const FRICTION: Limits = count(0.0, 1000.0);
+/// Share of a load that is lost below the base. Were it 1, nothing of a load
+/// would arrive, and no load would hold a pull.
+pub const BASE_LOSS: Limits = count(0.0, 0.999);
+/// Either component of the force on the tip: the weight of a hundred tonnes.
+pub const TIP_FORCE: Limits = Limits {
+    min: -1e6,
+    max: 1e6,
+    unit: Unit::Newton,
+};
+/// Moment on the tip: that of the greatest force at a metre.
+pub const TIP_MOMENT: Limits = Limits {
+    min: -1e9,
+    max: 1e9,
+    unit: Unit::NewtonMillimetre,
+};
+/// Either component of gravity: a hundred times the earth's.
+pub const GRAVITY: Limits = Limits {
+    min: -1000.0,
+    max: 1000.0,
+    unit: Unit::MetrePerSecondSquared,
+};
+/// Mass of a disk or of the backbone: up to a tonne.
+pub const MASS: Limits = grams(0.0, 1e6);
+/// Radius of a disk's rim, which is also at least the largest cable offset.
 pub const DISK_RADIUS: Limits = mm(0.01, 1e4);
 /// Thickness of a disk.
 pub const DISK_THICKNESS: Limits = mm(0.0, 1e4);
@@ -85,7 +141,7 @@ pub const LEAST_MEASURED_POINTS: usize = 2;
 pub const MEASURED_POINTS: usize = 10_000;
 /// Node of a measured point, which is also at most the number of segments.
 pub const MEASURED_NODE: Limits = count(0.0, 1e5);
-/// Weight on the cable when a force was read.
+/// Weight on a cable: up to a tonne.
 pub const LOAD: Limits = grams(0.0, 1e6);
 /// Contact force that was read.
 pub const FORCE: Limits = grams(-1e6, 1e6);
@@ -144,6 +200,9 @@ impl Unit {
             Unit::Degree => "deg",
             Unit::Gram => "g",
             Unit::NewtonSquareMillimetre => "N mm²",
+            Unit::Newton => "N",
+            Unit::NewtonMillimetre => "N mm",
+            Unit::MetrePerSecondSquared => "m/s²",
             Unit::One => "",
         }
     }

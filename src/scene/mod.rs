@@ -10,13 +10,15 @@
 //! use sinew::scene::Scene;
 //!
 //! let text = "
-//!     version = 1
+//!     version = 2
+//!     model = { mechanics = "equal" }
 //!     robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
 //!     actuation = { pull_mm = 5 }
 //! ";
 //! let scene = Scene::from_toml(text)?;
 //! scene.check()?;
 //! assert_eq!(scene.robot.segments_per_bay, 2);
+//! assert_eq!((scene.cable_count(), scene.offset_mm()), (1, 8.0));
 //!
 //! let typo = Scene::from_toml(&text.replace("pull_mm", "pul_mm"));
 //! assert_eq!(
@@ -26,13 +28,18 @@
 //! # Ok::<(), sinew::scene::SceneError>(())
 //! ```
 
+mod cable;
 mod contact;
 mod error;
 mod faults;
 mod file;
+mod friction;
 mod keys;
 pub mod limits;
+mod loads;
 mod measured;
+mod migrate;
+mod model;
 mod obstacle;
 mod polygon;
 mod robot;
@@ -43,18 +50,23 @@ mod walk;
 
 use serde::{Deserialize, Serialize};
 
+pub use cable::{Actuation, Cable, Drive};
 pub use contact::{Candidates, Contact, Line, Listed};
 pub use error::SceneError;
 pub use file::MAX_FILE_BYTES;
+pub use friction::Friction;
+pub use loads::Loads;
 pub use measured::{ForceReading, Measurements, Photo};
+pub use model::{Mechanics, Model};
 pub use obstacle::{Obstacle, Shape};
 pub use polygon::PolygonFault;
-pub use robot::{Actuation, Robot};
+pub use robot::Robot;
 #[cfg(any(feature = "app", feature = "cli"))]
 pub(crate) use walk::quoted;
 
-/// The only version of the file format there is.
-pub const VERSION: u32 = 1;
+/// The version of the file format that is written. Files of every version from
+/// 1 on are read; a scene that was read is of this one.
+pub const VERSION: u32 = 2;
 
 /// A robot, what pulls it, what stands around it and what was measured on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -64,10 +76,25 @@ pub struct Scene {
     /// What the scene is called.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub title: Option<String>,
+    /// What it is to be solved with.
+    #[serde(default)]
+    pub model: Model,
     /// The robot.
     pub robot: Robot,
-    /// What drives the robot.
-    pub actuation: Actuation,
+    /// What drives the one cable at [`Robot::cable_offset_mm`]; absent where
+    /// `cables` describes the cables. [`Scene::cable`] reads both.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub actuation: Option<Actuation>,
+    /// The cables, where they are not described with the robot; at most
+    /// [`limits::CABLES`].
+    #[serde(default, rename = "cable", skip_serializing_if = "Vec::is_empty")]
+    pub cables: Vec<Cable>,
+    /// Where the robot rubs.
+    #[serde(default, skip_serializing_if = "Friction::is_none")]
+    pub friction: Friction,
+    /// What acts on the robot beside its cables and obstacles.
+    #[serde(default, skip_serializing_if = "Loads::is_none")]
+    pub loads: Loads,
     /// Which parts of the robot may touch an obstacle.
     #[serde(default)]
     pub contact: Contact,
@@ -82,14 +109,22 @@ pub struct Scene {
     pub photo: Option<Photo>,
 }
 
-/// The paper's robot, straight and with nothing around it.
+/// The paper's robot and its model, straight and with nothing around it.
 impl Default for Scene {
     fn default() -> Self {
         Scene {
             version: VERSION,
             title: None,
+            model: Model {
+                mechanics: Mechanics::Equal,
+            },
             robot: Robot::default(),
-            actuation: Actuation { pull_mm: 0.0 },
+            actuation: Some(Actuation {
+                drive: Drive::PullMm(0.0),
+            }),
+            cables: Vec::new(),
+            friction: Friction::default(),
+            loads: Loads::default(),
             contact: Contact::default(),
             obstacles: Vec::new(),
             measured: None,

@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 
 use super::keys::{Key, Kind, Presence, SCENE, SHAPES, ShapeKeys};
 use super::limits::{self, Limits, Unit};
-use super::{Scene, VERSION};
+use super::{Friction, Loads, Model, Scene, VERSION};
 
 /// The schema as indented JSON, draft 2020-12.
 pub fn json() -> String {
@@ -22,6 +22,24 @@ pub fn value() -> Value {
     schema["title"] = json!("Sinew scene");
     schema["description"] =
         json!("A cable-driven continuum robot, its actuation and the obstacles around it.");
+    // One cable with the robot, or each on its own.
+    schema["oneOf"] = json!([
+        {
+            "required": ["actuation"],
+            "properties": {
+                "robot": { "required": ["cable_offset_mm"] },
+                "cable": { "maxItems": 0 },
+            },
+        },
+        {
+            "required": ["cable"],
+            "properties": {
+                "robot": { "not": { "required": ["cable_offset_mm"] } },
+                "cable": { "minItems": 1 },
+            },
+            "not": { "required": ["actuation"] },
+        },
+    ]);
     // The nodes are listed when, and only when, the list is asked for.
     let contact = &mut schema["properties"]["contact"];
     contact["if"] = json!({ "properties": { "candidates": { "const": "listed" } }, "required": ["candidates"] });
@@ -34,6 +52,17 @@ pub fn value() -> Value {
 /// What stands for a key that is left out, in the shape of the file.
 fn defaults() -> Value {
     let mut defaults = json!(Scene::default());
+    // No cable stands for one that is left out.
+    defaults["robot"]["cable_offset_mm"] = Value::Null;
+    defaults["model"] = json!(Model::default());
+    defaults["friction"] = json!(Friction::default());
+    defaults["loads"] = json!(Loads::default());
+    // What is not written where it is 0.
+    for key in ["cable_diameter_mm", "disk_mass_g", "backbone_mass_g"] {
+        defaults["robot"][key] = json!(0.0);
+    }
+    defaults["cable"] = json!({ "diameter_mm": 0.0 });
+    defaults["contact"]["listed"] = json!({ "cable": 0 });
     // What every shape of obstacle and a photograph fall back to; see the
     // attributes of `Shape` and `Photo`.
     defaults["obstacle"] = json!({ "rotation_deg": 0.0, "corner_radius_mm": 0.0 });
@@ -58,12 +87,21 @@ fn object(keys: &[Key], defaults: &Value) -> Value {
         .filter(|key| key.presence == Presence::Required)
         .map(|key| key.name)
         .collect();
-    json!({
+    let mut object = json!({
         "type": "object",
         "properties": properties,
         "required": required,
         "additionalProperties": false,
-    })
+    });
+    let choice: Vec<_> = keys
+        .iter()
+        .filter(|key| key.presence == Presence::OneOf)
+        .map(|key| json!({ "required": [key.name] }))
+        .collect();
+    if !choice.is_empty() {
+        object["oneOf"] = json!(choice);
+    }
+    object
 }
 
 fn of_kind(kind: &Kind, defaults: &Value) -> Value {
@@ -87,7 +125,7 @@ fn of_kind(kind: &Kind, defaults: &Value) -> Value {
         }
         Kind::Table(keys) => object(keys, defaults),
         Kind::Tables(keys, most, _) => {
-            json!({ "type": "array", "items": object(keys, &Value::Null), "maxItems": most })
+            json!({ "type": "array", "items": object(keys, defaults), "maxItems": most })
         }
         Kind::Obstacles => json!({
             "type": "array",
@@ -127,6 +165,9 @@ fn sentence(about: &str, kind: &Kind) -> String {
         Unit::Degree => ", in degrees",
         Unit::Gram => ", in grams",
         Unit::NewtonSquareMillimetre => ", in N mm²",
+        Unit::Newton => ", in newtons",
+        Unit::NewtonMillimetre => ", in N mm",
+        Unit::MetrePerSecondSquared => ", in m/s²",
         Unit::One => "",
     };
     format!("{}{unit}.", capitalised(about))
@@ -148,6 +189,7 @@ mod tests {
     use super::*;
 
     const FULL: &str = include_str!("../../tests/cases/scene/full.toml");
+    const CABLES: &str = include_str!("../../tests/cases/scene/cables.toml");
 
     /// Whether the instance satisfies the schema, for the keywords used here;
     /// any other keyword fails the test.
@@ -202,6 +244,7 @@ mod tests {
                     }],
                     instance,
                 ),
+                "not" => !satisfies(rule, instance),
                 other => panic!("unknown keyword {other}"),
             })
     }
@@ -215,6 +258,7 @@ mod tests {
     #[test]
     fn every_asset_and_the_full_scene_satisfy_the_schema() {
         check(FULL, true);
+        check(CABLES, true);
         check(&Scene::default().to_toml().unwrap(), true);
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes");
         for entry in std::fs::read_dir(folder).unwrap() {
@@ -227,7 +271,12 @@ mod tests {
     #[test]
     fn slips_do_not_satisfy_the_schema() {
         for (old, new) in [
-            ("version = 1", "version = 2"),
+            ("version = 2", "version = 1"),
+            ("\"sliding\"", "\"gliding\""),
+            ("cable_offset_mm = 8.0\n", ""),
+            ("holes = 0.275", "holes = -0.275"),
+            ("base_loss = 0.165", "base_loss = 1"),
+            ("[0.375, -9.80665]", "-9.80665"),
             ("title", "titel"),
             ("base_mm", "basis_mm"),
             ("size_mm", "radius_mm = 1\nsize_mm"),
@@ -244,6 +293,11 @@ mod tests {
             ("radius_mm = 15.0", "radius_mm = 0"),
             ("[75.0, 150.0], ", ""),
             ("pull_mm = 5.0", ""),
+            ("pull_mm = 5.0", "pull_mm = 5.0\nload_g = 1"),
+            (
+                "pull_mm = 5.0",
+                "pull_mm = 5.0\n[[cable]]\noffset_mm = 8\npull_mm = 1",
+            ),
             ("8700.0", "0"),
             ("[0, 9, 17]", "[0, 9.5, 17]"),
             ("[[1.0, 2.0], [6.5, 92.0], [30.0, 175.0]]", "[[1.0, 2.0]]"),
@@ -253,6 +307,19 @@ mod tests {
         ] {
             assert!(FULL.contains(old), "{old}");
             check(&FULL.replacen(old, new, 1), false);
+        }
+        for (old, new) in [
+            ("load_g = 300.0", ""),
+            ("load_g = 300.0", "load_g = 300.0\npull_mm = 1"),
+            ("segments = 18", "segments = 18\ncable_offset_mm = 8"),
+            ("[contact]", "[actuation]\npull_mm = 1\n[contact]"),
+            ("to_disk = 7", "to_disk = 0"),
+            ("20000.0", "0"),
+            ("\"rim\"", "\"edge\""),
+            ("cable = 1, ", "cable = -1, "),
+        ] {
+            assert!(CABLES.contains(old), "{old}");
+            check(&CABLES.replacen(old, new, 1), false);
         }
     }
 
@@ -266,12 +333,11 @@ mod tests {
             );
             schema_keys(property, &format!("{at}{key}."), keys);
             schema_keys(&property["items"], &format!("{at}{key}."), keys);
+            // A choice of tables has titles, one of keys has none.
             for shape in property["items"]["oneOf"].as_array().into_iter().flatten() {
-                schema_keys(
-                    shape,
-                    &format!("{at}{key}.{}.", shape["title"].as_str().unwrap()),
-                    keys,
-                );
+                if let Some(title) = shape["title"].as_str() {
+                    schema_keys(shape, &format!("{at}{key}.{title}."), keys);
+                }
             }
         }
     }
@@ -302,19 +368,38 @@ mod tests {
     fn the_table_of_keys_and_the_types_have_the_same_keys() {
         let (mut known, mut written) = (BTreeSet::new(), BTreeSet::new());
         schema_keys(&value(), "", &mut known);
-        scene_keys(&json!(Scene::from_toml(FULL).unwrap()), "", &mut written);
+        let by_load = FULL.replace("pull_mm = 5.0", "load_g = 300.0");
+        for text in [FULL, &by_load, CABLES] {
+            scene_keys(&json!(Scene::from_toml(text).unwrap()), "", &mut written);
+        }
         assert_eq!(known, written);
     }
 
     #[test]
     fn defaults_in_the_schema_are_those_of_the_types() {
-        let least = "version = 1
+        let least = "version = 2
+            model = { mechanics = \"equal\" }
             robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
             actuation = { pull_mm = 0 }";
         assert_eq!(Scene::from_toml(least), Ok(Scene::default()));
         let robot = &value()["properties"]["robot"]["properties"];
         assert_eq!(robot["segments_per_bay"]["default"], json!(2));
-        assert_eq!(robot["length_mm"].get("default"), None);
+        for key in ["length_mm", "cable_offset_mm"] {
+            assert_eq!(robot[key].get("default"), None);
+        }
+        let sliding = least.replace("model", "# model");
+        let scene = json!(Scene::from_toml(&sliding).unwrap());
+        let properties = &value()["properties"];
+        let mechanics = &properties["model"]["properties"]["mechanics"];
+        assert_eq!(scene["model"]["mechanics"], mechanics["default"]);
+        for key in ["cable_diameter_mm", "disk_mass_g"] {
+            assert_eq!(robot[key]["default"], json!(0.0));
+        }
+        let gravity = &properties["loads"]["properties"]["gravity_m_s2"];
+        assert_eq!(gravity["default"], json!([0.0, 0.0]));
+        let cable = &properties["cable"]["items"]["properties"];
+        assert_eq!(cable["diameter_mm"]["default"], json!(0.0));
+        assert_eq!(cable["load_g"].get("default"), None);
         let photo = "[photo]\nfile = \"a.png\"\ncenter_mm = [0, 0]\nwidth_mm = 1";
         let scene = json!(Scene::from_toml(&format!("{least}\n{photo}")).unwrap());
         let properties = &value()["properties"]["photo"]["properties"];

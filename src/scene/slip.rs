@@ -58,6 +58,9 @@ fn unit_of(key: &str) -> Option<(&'static str, &'static [&'static str])> {
         "mm" => ("millimetres", &["mm", "millimetres", "millimeters"]),
         "deg" => ("degrees", &["°", "deg", "degrees"]),
         "g" => ("grams", &["g", "grams", "gram"]),
+        "n" => ("newtons", &["N", "newton", "newtons"]),
+        "nmm" => ("N mm", &["N mm", "Nmm", "N*mm"]),
+        "s2" => ("m/s²", &["m/s²", "m/s2", "m/s^2"]),
         "nmm2" => (
             "N mm²",
             &["N mm²", "N mm2", "Nmm²", "Nmm2", "N*mm^2", "N mm^2"],

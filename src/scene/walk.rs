@@ -3,7 +3,7 @@
 
 use toml::{Table, Value};
 
-use super::keys::{Key, Kind, Presence, SCENE, SHAPE, SHAPES, expected, number};
+use super::keys::{Key, Kind, Presence, SCENE, SHAPE, SHAPES, expected, missing, number};
 use super::limits::{Limits, shown};
 use super::{SceneError, VERSION};
 
@@ -17,111 +17,168 @@ pub(super) fn scene(table: &Table) -> Result<(), SceneError> {
         return Err(SceneError::Empty);
     }
     // A later version may have other keys, so it is named before they are.
-    if let Some(Value::Integer(found)) = table.get("version")
-        && *found != i64::from(VERSION)
-    {
-        return Err(SceneError::Version { found: *found });
-    }
-    keys_of(table, SCENE, "")
-}
-
-fn keys_of(table: &Table, keys: &[Key], path: &str) -> Result<(), SceneError> {
-    if let Some(stranger) = table
-        .keys()
-        .find(|name| keys.iter().all(|key| key.name != **name))
-    {
-        let known: Vec<_> = keys.iter().map(|key| key.name).collect();
-        return Err(SceneError::UnknownKey {
-            path: join(path, &bare_or_quoted(stranger)),
-            nearest: nearest(stranger, &known),
-            known,
-        });
-    }
-    for key in keys {
-        let path = join(path, key.name);
-        match table.get(key.name) {
-            Some(found) => value(found, &key.kind, &path)?,
-            None if key.presence == Presence::Required => {
-                let what = match &key.kind {
-                    Kind::Table(_) => format!("a table headed [{path}] for {}", key.about),
-                    kind => format!("{}, {}", key.about, expected(kind)),
-                };
-                return Err(SceneError::MissingKey { path, what });
-            }
-            None => {}
-        }
-    }
-    Ok(())
-}
-
-fn value(found: &Value, kind: &Kind, path: &str) -> Result<(), SceneError> {
-    let mistyped = || wrong_type(path, found, expected(kind));
-    match (kind, found) {
-        (Kind::Number(_), Value::Float(_) | Value::Integer(_)) => Ok(()),
-        // Other versions were refused by `scene`.
-        (Kind::Version, Value::Integer(_)) | (Kind::Text, Value::String(_)) => Ok(()),
-        (Kind::Whole(range), Value::Integer(count)) => match u32::try_from(*count) {
-            Ok(_) => Ok(()),
-            Err(_) => Err(SceneError::OutOfRange {
-                field: path.to_owned(),
-                value: count.to_string(),
-                allowed: range.to_string(),
-                unit: range.unit.symbol(),
-            }),
+    let version = match table.get("version") {
+        Some(Value::Integer(found)) => match u32::try_from(*found) {
+            Ok(version @ 1..=VERSION) => version,
+            _ => return Err(SceneError::Version { found: *found }),
         },
-        (Kind::Wholes(range, _), Value::Array(numbers)) => each(numbers, path, |number, path| {
-            value(number, &Kind::Whole(*range), path)
-        }),
-        (Kind::Word(words), Value::String(word)) if !words.contains(&word.as_str()) => {
-            Err(SceneError::UnknownWord {
-                path: path.to_owned(),
-                found: quoted(word),
-                nearest: nearest(word, words),
-                known: words.to_vec(),
-            })
+        _ => VERSION,
+    };
+    Walk { version }.keys_of(table, SCENE, "")
+}
+
+/// A walk through a file of a version.
+struct Walk {
+    version: u32,
+}
+
+impl Walk {
+    fn keys_of(&self, table: &Table, keys: &[Key], path: &str) -> Result<(), SceneError> {
+        for name in table.keys() {
+            match keys.iter().find(|key| key.name == *name) {
+                None => return Err(self.unknown(name, keys, path)),
+                Some(key) if key.since > self.version => {
+                    return Err(SceneError::NewerKey {
+                        path: join(path, key.name),
+                        since: key.since,
+                    });
+                }
+                Some(_) => {}
+            }
         }
-        (Kind::Word(_), Value::String(_)) => Ok(()),
-        (Kind::Pair(range), Value::Array(numbers)) if numbers.len() == 2 => {
-            each(numbers, path, |item, path| {
-                number_of_pair(item, range, path)
-            })
+        for key in keys {
+            let path = join(path, key.name);
+            match table.get(key.name) {
+                Some(found) => self.value(found, &key.kind, &path)?,
+                None if key.presence == Presence::Required => return Err(missing(key, path)),
+                None => {}
+            }
         }
-        (Kind::Points(range, ..), Value::Array(points)) => each(points, path, |point, path| {
-            value(point, &Kind::Pair(*range), path)
-        }),
-        (Kind::Table(keys), Value::Table(table)) => keys_of(table, keys, path),
-        (Kind::Tables(keys, ..), Value::Array(tables)) => {
-            each(tables, path, |item, path| match item {
-                Value::Table(table) => keys_of(table, keys, path),
-                other => Err(wrong_type(path, other, "a table, { … }".to_owned())),
-            })
+        self.one_of(table, keys, path)
+    }
+
+    /// Of the keys that exclude each other one is there.
+    fn one_of(&self, table: &Table, keys: &[Key], path: &str) -> Result<(), SceneError> {
+        let mut choice = keys
+            .iter()
+            .filter(|key| key.presence == Presence::OneOf && key.since <= self.version);
+        let is_there = |key: &&Key| table.contains_key(key.name);
+        let mut there = choice.clone().filter(is_there);
+        if let (Some(first), Some(second)) = (there.next(), there.next()) {
+            return Err(SceneError::Conflict {
+                field: join(path, second.name),
+                problem: format!("stands beside {}", first.name),
+                advice: "remove one of them".to_owned(),
+            });
         }
-        (Kind::Obstacles, Value::Array(obstacles)) => {
-            each(obstacles, path, |item, path| match item {
-                Value::Table(table) => obstacle(table, path),
-                other => Err(wrong_type(
-                    path,
-                    other,
-                    "a table under its own [[obstacle]]".to_owned(),
-                )),
-            })
+        match choice.next() {
+            Some(first) if !choice.clone().chain([first]).any(|key| is_there(&key)) => {
+                let or: String = choice
+                    .map(|key| format!("; or {}, {}, {}", key.name, key.about, expected(&key.kind)))
+                    .collect();
+                Err(match missing(first, join(path, first.name)) {
+                    SceneError::MissingKey { path, what } => SceneError::MissingKey {
+                        path,
+                        what: what + &or,
+                    },
+                    other => other,
+                })
+            }
+            _ => Ok(()),
         }
-        _ => Err(mistyped()),
+    }
+
+    fn unknown(&self, name: &str, keys: &[Key], path: &str) -> SceneError {
+        let known = keys.iter().filter(|key| key.since <= self.version);
+        unknown(name, known, path)
+    }
+
+    fn value(&self, found: &Value, kind: &Kind, path: &str) -> Result<(), SceneError> {
+        let mistyped = || wrong_type(path, found, expected(kind));
+        match (kind, found) {
+            (Kind::Number(_), Value::Float(_) | Value::Integer(_)) => Ok(()),
+            // Other versions were refused by `scene`.
+            (Kind::Version, Value::Integer(_)) | (Kind::Text, Value::String(_)) => Ok(()),
+            (Kind::Whole(range), Value::Integer(count)) => match u32::try_from(*count) {
+                Ok(_) => Ok(()),
+                Err(_) => Err(SceneError::OutOfRange {
+                    field: path.to_owned(),
+                    value: count.to_string(),
+                    allowed: range.to_string(),
+                    unit: range.unit.symbol(),
+                }),
+            },
+            (Kind::Wholes(range, _), Value::Array(numbers)) => {
+                each(numbers, path, |number, path| {
+                    self.value(number, &Kind::Whole(*range), path)
+                })
+            }
+            (Kind::Word(words), Value::String(word)) if !words.contains(&word.as_str()) => {
+                Err(SceneError::UnknownWord {
+                    path: path.to_owned(),
+                    found: quoted(word),
+                    nearest: nearest(word, words),
+                    known: words.to_vec(),
+                })
+            }
+            (Kind::Word(_), Value::String(_)) => Ok(()),
+            (Kind::Pair(range), Value::Array(numbers)) if numbers.len() == 2 => {
+                each(numbers, path, |item, path| {
+                    number_of_pair(item, range, path)
+                })
+            }
+            (Kind::Points(range, ..), Value::Array(points)) => each(points, path, |point, path| {
+                self.value(point, &Kind::Pair(*range), path)
+            }),
+            (Kind::Table(keys), Value::Table(table)) => self.keys_of(table, keys, path),
+            (Kind::Tables(keys, ..), Value::Array(tables)) => {
+                each(tables, path, |item, path| match item {
+                    Value::Table(table) => self.keys_of(table, keys, path),
+                    other => Err(wrong_type(path, other, "a table, { … }".to_owned())),
+                })
+            }
+            (Kind::Obstacles, Value::Array(obstacles)) => {
+                each(obstacles, path, |item, path| match item {
+                    Value::Table(table) => self.obstacle(table, path),
+                    other => Err(wrong_type(
+                        path,
+                        other,
+                        "a table under its own [[obstacle]]".to_owned(),
+                    )),
+                })
+            }
+            _ => Err(mistyped()),
+        }
+    }
+
+    fn obstacle(&self, table: &Table, path: &str) -> Result<(), SceneError> {
+        match (keys_of_obstacle(table), table.get(SHAPE.name)) {
+            (Some(keys), _) => self.keys_of(table, keys, path),
+            (None, Some(word)) => self.value(word, &SHAPE.kind, &join(path, SHAPE.name)),
+            (None, None) => Err(missing(&SHAPE, join(path, SHAPE.name))),
+        }
     }
 }
 
-fn obstacle(table: &Table, path: &str) -> Result<(), SceneError> {
-    let shape = match table.get(SHAPE.name) {
-        Some(Value::String(word)) => SHAPES.iter().find(|shape| shape.word == word),
-        _ => None,
-    };
-    match (shape, table.get(SHAPE.name)) {
-        (Some(shape), _) => keys_of(table, shape.keys, path),
-        (None, Some(word)) => value(word, &SHAPE.kind, &join(path, SHAPE.name)),
-        (None, None) => Err(SceneError::MissingKey {
-            path: join(path, SHAPE.name),
-            what: format!("{}, {}", SHAPE.about, expected(&SHAPE.kind)),
-        }),
+/// The keys of an obstacle, which depend on its shape; `None` where it has no
+/// known shape.
+pub(super) fn keys_of_obstacle(table: &Table) -> Option<&'static [Key]> {
+    let word = table.get(SHAPE.name)?.as_str()?;
+    let shape = SHAPES.iter().find(|shape| shape.word == word);
+    shape.map(|shape| shape.keys)
+}
+
+/// The fault of a key that is none of those that are known.
+pub(super) fn unknown<'a>(
+    name: &str,
+    known: impl Iterator<Item = &'a Key>,
+    path: &str,
+) -> SceneError {
+    let known: Vec<_> = known.map(|key| key.name).collect();
+    SceneError::UnknownKey {
+        path: join(path, &bare_or_quoted(name)),
+        nearest: nearest(name, &known),
+        known,
     }
 }
 
@@ -143,7 +200,7 @@ fn each(
         .try_for_each(|(i, item)| check(item, &format!("{path}[{i}]")))
 }
 
-fn wrong_type(path: &str, found: &Value, expected: String) -> SceneError {
+pub(super) fn wrong_type(path: &str, found: &Value, expected: String) -> SceneError {
     let found = match found {
         Value::String(text) => format!("{}, a string", quoted(text)),
         Value::Integer(number) => format!("{number}, a number"),
@@ -173,7 +230,7 @@ fn decimal(number: f64) -> String {
     }
 }
 
-fn join(path: &str, key: &str) -> String {
+pub(super) fn join(path: &str, key: &str) -> String {
     if path.is_empty() {
         key.to_owned()
     } else {

@@ -10,7 +10,7 @@ pub fn crowded() -> Equal {
     scene.robot.disk_radius_mm = Some(14.0);
     scene.robot.disk_thickness_mm = 1.0;
     scene.robot.cable_diameter_mm = 0.6;
-    scene.actuation.pull_mm = 4.0;
+    scene.set_pull_mm(4.0);
     scene.contact.candidates = Candidates::Body;
     let mut add = |shape: Shape| scene.obstacles.push(shape.into());
     add(Shape::Disc {

@@ -103,12 +103,12 @@ fn scaled(shape: Shape, by: f64) -> Shape {
 pub fn scaled_scene(scene: &Scene, by: f64) -> Scene {
     let mut scene = scene.clone();
     scene.robot.length_mm *= by;
-    scene.robot.cable_offset_mm *= by;
+    scene.set_offset_mm(by * scene.offset_mm());
     scene.robot.disk_radius_mm = scene.robot.disk_radius_mm.map(|radius| by * radius);
     scene.robot.disk_thickness_mm *= by;
     scene.robot.backbone_diameter_mm *= by;
     scene.robot.cable_diameter_mm *= by;
-    scene.actuation.pull_mm *= by;
+    scene.set_pull_mm(by * scene.pull_mm());
     for obstacle in &mut scene.obstacles {
         obstacle.shape = scaled(obstacle.shape.clone(), by);
     }
@@ -124,8 +124,8 @@ pub fn scene(candidates: Candidates) -> impl Strategy<Value = Scene> {
         scene.robot.length_mm = length;
         scene.robot.segments = segments;
         scene.robot.segments_per_bay = 1;
-        scene.robot.cable_offset_mm = offset;
-        scene.actuation.pull_mm = pull * offset;
+        scene.robot.cable_offset_mm = Some(offset);
+        scene.set_pull_mm(pull * offset);
         scene.contact.candidates = candidates;
         if candidates == Candidates::Body {
             scene.robot.disk_thickness_mm = 1.0;

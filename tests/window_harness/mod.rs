@@ -193,6 +193,6 @@ pub fn scene(pull_mm: f64, shapes: impl IntoIterator<Item = Shape>) -> Scene {
         obstacles: shapes.into_iter().map(Obstacle::from).collect(),
         ..Scene::default()
     };
-    scene.actuation.pull_mm = pull_mm;
+    scene.set_pull_mm(pull_mm);
     scene
 }

@@ -6,7 +6,8 @@ import { linkOf } from './link.mjs';
 import { Page, stage } from './page.mjs';
 
 const SCENE = `
-version = 1
+version = 2
+model = { mechanics = "equal" }
 title = "From a link"
 robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
 actuation = { pull_mm = 5 }

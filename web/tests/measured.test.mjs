@@ -18,7 +18,8 @@ after(() => site.close());
 
 /** A robot against a post, as a scene. */
 function scene(pull, more = '') {
-  return `version = 1
+  return `version = 2
+model = { mechanics = "equal" }
 robot = { length_mm = 180, segments = ${SEGMENTS}, cable_offset_mm = 8 }
 actuation = { pull_mm = ${pull} }
 obstacle = [{ shape = "disc", center_mm = [44, 104], radius_mm = 15 }]

@@ -209,7 +209,7 @@ mod tests {
     fn rings_are_where_the_conflicts_are() {
         let wedge = include_str!("../../../assets/scenes/wedge.toml");
         let mut scene = Scene::from_toml(wedge).unwrap();
-        scene.actuation.pull_mm = 12.0;
+        scene.set_pull_mm(12.0);
         let problem = Problem::new(&scene).unwrap();
         let solution = solve(&problem, Start::Straight, Settings::default());
         assert!(matches!(solution.status, Status::Infeasible { .. }));

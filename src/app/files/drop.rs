@@ -208,7 +208,7 @@ mod tests {
 
     #[test]
     fn a_scenes_text_is_no_link() {
-        assert!(is_scene("# a\nversion = 1\n"));
+        assert!(is_scene("# a\nversion = 2\n"));
         assert!(is_scene("  [robot]\nlength_mm = 'x'"));
         assert!(!is_scene("https://example.org/#s1.abc"));
     }

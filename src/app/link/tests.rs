@@ -7,6 +7,7 @@ use crate::scene::{Measurements, Obstacle, Photo, Shape};
 
 const TWO_DISCS: &str = include_str!("../../../assets/scenes/two-discs.toml");
 const FULL: &str = include_str!("../../../tests/cases/scene/full.toml");
+const CABLES: &str = include_str!("../../../tests/cases/scene/cables.toml");
 
 fn scene(text: &str) -> Scene {
     Scene::from_toml(text).unwrap()
@@ -24,7 +25,7 @@ fn check_refused(link: &str, expected: &str) {
 
 #[test]
 fn scenes_come_back_without_their_photograph() {
-    for text in [TWO_DISCS, FULL] {
+    for text in [TWO_DISCS, FULL, CABLES] {
         let sent = scene(text);
         let link = encode(&sent).unwrap();
         let expected = Scene {
@@ -303,7 +304,7 @@ fn any_scene() -> impl Strategy<Value = Scene> {
                 scene.robot.base_mm = base;
                 scene.robot.backbone_diameter_mm = diameter;
                 scene.robot.bending_stiffness_nmm2 = Some(diameter + 1.0);
-                scene.actuation.pull_mm = pull_mm;
+                scene.set_pull_mm(pull_mm);
                 scene.measured = measured.map(|points_mm| Measurements {
                     points_mm,
                     ..Measurements::default()

@@ -134,7 +134,7 @@ pub(super) mod tests {
                 0 => searched(&mut bench, 0.1),
                 _ => bench.poll(),
             }
-            edited(&mut bench, |scene| scene.actuation.pull_mm = pull_mm);
+            edited(&mut bench, |scene| scene.set_pull_mm(pull_mm));
         }
         let fit = to_the_end(&mut bench).unwrap().unwrap();
         assert!((millimetres(fit.pull) - 3.0).abs() < 1e-4);

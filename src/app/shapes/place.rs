@@ -170,7 +170,7 @@ mod tests {
         for length_mm in [2.0, 180.0, 4e4] {
             let mut scene = Scene::default();
             scene.robot.length_mm = length_mm;
-            scene.robot.cable_offset_mm = 0.04 * length_mm;
+            scene.set_offset_mm(0.04 * length_mm);
             let at = length_mm * Vector::new(0.5, 0.6);
             let per_point = length_mm / 500.0;
             for tool in TOOLS {

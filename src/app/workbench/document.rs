@@ -110,7 +110,7 @@ impl Document {
             return self.is_changed();
         }
         let mut played = self.kept.clone();
-        played.actuation.clone_from(&self.scene.actuation);
+        played.take_drives(&self.scene);
         self.scene != played
     }
 

@@ -1,7 +1,7 @@
 //! Undo and redo, a step for each gesture: whatever changes while a button is
 //! held, a field is edited or the robot plays becomes one step when it ends.
 
-use crate::scene::{Obstacle, Scene, Shape};
+use crate::scene::{Cable, Obstacle, Scene, Shape};
 use std::collections::VecDeque;
 
 /// What the steps that are kept may take, in bytes, about.
@@ -103,6 +103,7 @@ fn size(scene: &Scene) -> usize {
     let measured = measured.map_or(0, |held| held.points_mm.len() + held.forces.len());
     let points = points.sum::<usize>() + measured + scene.contact.listed.len();
     std::mem::size_of::<Scene>()
+        + scene.cables.len() * std::mem::size_of::<Cable>()
         + scene.obstacles.len() * std::mem::size_of::<Obstacle>()
         + points * std::mem::size_of::<[f64; 2]>()
 }
@@ -113,7 +114,7 @@ mod tests {
 
     fn pulled(pull_mm: f64) -> Scene {
         let mut scene = Scene::default();
-        scene.actuation.pull_mm = pull_mm;
+        scene.set_pull_mm(pull_mm);
         scene
     }
 

@@ -277,7 +277,7 @@ mod tests {
     }
 
     fn pulled(pull_mm: f64) -> Problem {
-        problem(|scene| scene.actuation.pull_mm = pull_mm)
+        problem(|scene| scene.set_pull_mm(pull_mm))
     }
 
     fn longer() -> Problem {

@@ -18,7 +18,7 @@ pub enum Playing {
 
 /// The pull of a scene, in mm.
 pub fn pull_mm_of(scene: &Scene) -> f64 {
-    scene.actuation.pull_mm
+    scene.pull_mm()
 }
 
 impl Workbench {
@@ -33,7 +33,7 @@ impl Workbench {
         if playing == Playing::Stops {
             self.transport.stop();
         }
-        self.document.scene.actuation.pull_mm = pull_mm;
+        self.document.scene.set_pull_mm(pull_mm);
     }
 
     /// Sets the pull, in mm, to the nearest that the slider offers.
@@ -72,7 +72,7 @@ impl Workbench {
 fn span_mm_of(document: &Document) -> (f64, f64) {
     let allowed = document.problem().robot().pull_range();
     let scene = &document.scene;
-    span_mm(&scene.robot, allowed, pull_mm_of(scene))
+    span_mm(scene.offset_mm(), allowed, pull_mm_of(scene))
 }
 
 /// The pulls that the path of a document covers, in metres.

@@ -1,7 +1,6 @@
 //! The pull over time: playing it back and forth, and the span that its slider
 //! covers.
 
-use crate::scene::Robot;
 use crate::units::{METRES_PER_MM, metres, millimetres};
 use std::f64::consts::PI;
 
@@ -84,9 +83,9 @@ impl Transport {
 
 /// The pulls that the slider offers, in mm: from none to half a turn of the
 /// free robot, as far as the linkages allow, and to the present pull where it
-/// is beyond.
-pub fn span_mm(robot: &Robot, allowed: (f64, f64), pull_mm: f64) -> (f64, f64) {
-    let half_turn = PI * metres(robot.cable_offset_mm);
+/// is beyond. The cable's offset is in mm, what the linkages allow in metres.
+pub fn span_mm(offset_mm: f64, allowed: (f64, f64), pull_mm: f64) -> (f64, f64) {
+    let half_turn = PI * metres(offset_mm);
     // Ends that the linkages allow, and that read well.
     let most = half_turn.min(0.98 * allowed.1);
     let most_mm = (millimetres(most) * 2.0).floor() / 2.0;
@@ -139,10 +138,9 @@ mod tests {
 
     #[test]
     fn the_slider_reaches_half_a_turn_and_the_present_pull() {
-        let robot = Robot::default();
-        assert_eq!(span_mm(&robot, (-1.0, 1.0), 4.9), (0.0, 25.0));
-        assert_eq!(span_mm(&robot, (-1.0, 0.01), 4.9), (0.0, 9.5));
-        assert_eq!(span_mm(&robot, (-1.0, 1.0), -3.0), (-3.0, 25.0));
-        assert_eq!(span_mm(&robot, (-1.0, 1.0), 40.0), (0.0, 40.0));
+        assert_eq!(span_mm(8.0, (-1.0, 1.0), 4.9), (0.0, 25.0));
+        assert_eq!(span_mm(8.0, (-1.0, 0.01), 4.9), (0.0, 9.5));
+        assert_eq!(span_mm(8.0, (-1.0, 1.0), -3.0), (-3.0, 25.0));
+        assert_eq!(span_mm(8.0, (-1.0, 1.0), 40.0), (0.0, 40.0));
     }
 }

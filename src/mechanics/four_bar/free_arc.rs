@@ -83,7 +83,7 @@ mod tests {
             (1000, 60.0),
         ] {
             scene.robot.segments = segments;
-            scene.actuation.pull_mm = pull_mm;
+            scene.set_pull_mm(pull_mm);
             let problem = Equal::new(Problem::new(&scene).unwrap());
             let controls = problem.free_controls();
             let links = controls.iter().enumerate();

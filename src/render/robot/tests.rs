@@ -105,11 +105,15 @@ fn plane_and_space_draw_disks_of_one_size_whatever_may_touch() {
         scene::Candidates::Body,
     ] {
         let mut scene = Scene::default();
-        scene.actuation.pull_mm = 4.0;
+        scene.set_pull_mm(4.0);
         scene.contact.candidates = candidates;
         if candidates == scene::Candidates::Listed {
             let (line, node) = (scene::Line::Cable, 18);
-            scene.contact.listed = vec![scene::Listed { line, node }];
+            scene.contact.listed = vec![scene::Listed {
+                line,
+                cable: 0,
+                node,
+            }];
         }
         scene.robot.disk_radius_mm = Some(12.0);
         scene.robot.disk_thickness_mm = 3.0;

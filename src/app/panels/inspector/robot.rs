@@ -7,7 +7,7 @@ use crate::scene::limits::{
     ANGLE, BENDING_STIFFNESS, CABLE_OFFSET, COORDINATE, DISK_RADIUS, DISK_THICKNESS, LENGTH,
     LINE_DIAMETER, Limits, SEGMENTS,
 };
-use crate::scene::{Candidates, Contact, Robot};
+use crate::scene::{Candidates, Contact, Robot, Scene};
 use eframe::egui::{self, Button, RichText, Ui, Vec2, WidgetInfo};
 
 /// Shows the robot's fields.
@@ -15,14 +15,13 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     ui.label(RichText::new("Robot").font(semibold(14.0)));
     ui.add_space(4.0);
     with_form(bench, |scene, form| {
-        let robot = &mut scene.robot;
-        backbone(ui, form, robot);
+        backbone(ui, form, &mut scene.robot);
         ui.add_space(12.0);
         row::heading(ui, "Disks and cable");
-        disks(ui, form, robot);
+        disks(ui, form, scene);
         ui.add_space(12.0);
         row::heading(ui, "Base");
-        base(ui, form, robot);
+        base(ui, form, &mut scene.robot);
         ui.add_space(12.0);
         row::heading(ui, "Contact");
         contact(ui, form, &mut scene.contact);
@@ -68,22 +67,30 @@ fn backbone(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
     form.optional(ui, &number, &mut robot.bending_stiffness_nmm2);
 }
 
-fn disks(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
+fn disks(ui: &mut Ui, form: &mut Form<'_>, scene: &mut Scene) {
+    let Some(mut cable) = scene.each_cable().next() else {
+        return;
+    };
+    let field = scene.cable_field(0, "offset_mm");
     let number = Number {
         symbol: "a",
-        ..length("cable_offset_mm", "Cable offset", CABLE_OFFSET)
+        ..Number::length(field, "Cable offset", CABLE_OFFSET)
     };
-    form.number(ui, &number, &mut robot.cable_offset_mm);
-    let number = length("cable_diameter_mm", "Cable diameter", LINE_DIAMETER);
-    form.number(ui, &number, &mut robot.cable_diameter_mm);
+    form.number(ui, &number, &mut cable.offset_mm);
+    scene.set_offset_mm(cable.offset_mm);
+    let field = scene.cable_field(0, "diameter_mm");
+    let number = Number::length(field, "Cable diameter", LINE_DIAMETER);
+    form.number(ui, &number, &mut cable.diameter_mm);
+    scene.set_cable_diameter_mm(cable.diameter_mm);
+    let mut rim = scene.rim_mm();
+    let robot = &mut scene.robot;
     let number = Number {
         limits: Limits {
-            min: robot.cable_offset_mm,
+            min: cable.offset_mm,
             ..DISK_RADIUS
         },
         ..length("disk_radius_mm", "Disk radius", DISK_RADIUS)
     };
-    let mut rim = robot.rim_mm();
     let mut follows = robot.disk_radius_mm.is_none();
     let changed = form.number_with(ui, &number, &mut rim, |ui| follow(ui, &mut follows));
     if changed {

@@ -1,0 +1,149 @@
+//! Faults of what drives the robot and acts on it: cables, friction, loads.
+
+use super::Faults;
+use crate::scene::keys::missing_at;
+use crate::scene::limits::{
+    AXIAL_STIFFNESS, BASE_LOSS, CABLE_OFFSET, CABLE_SIDE, CABLES, FRICTION, GRAVITY, LINE_DIAMETER,
+    LOAD, Limits, PULL, TIP_FORCE, TIP_MOMENT, TO_DISK, shown,
+};
+use crate::scene::{Cable, Drive, Friction, Mechanics, Scene};
+
+/// Cables are described one way or the other, and each can be meant.
+pub(super) fn cables(faults: &mut Faults, scene: &Scene) {
+    one_way(faults, scene);
+    if let Some(actuation) = scene.actuation {
+        driven(faults, "actuation", actuation.drive);
+        without_stiffness(faults, scene, "actuation", actuation.drive);
+    }
+    if !faults.count("cable", scene.cables.len(), CABLES) {
+        return;
+    }
+    for (k, cable) in scene.cables.iter().enumerate() {
+        let at = format!("cable[{k}]");
+        one(faults, &at, cable, scene.last_disk());
+        without_stiffness(faults, scene, &at, cable.drive);
+        if let Some(stiffness) = cable.axial_stiffness_n {
+            let fine = faults.number(&at, "axial_stiffness_n", stiffness, AXIAL_STIFFNESS);
+            // What the other model does not know needs no stiffness either.
+            if fine && scene.model.mechanics == Mechanics::Sliding {
+                let field = format!("{at}.axial_stiffness_n");
+                needs_stiffness(faults, scene, field, &with_unit(stiffness, AXIAL_STIFFNESS));
+            }
+        }
+    }
+}
+
+fn one_way(faults: &mut Faults, scene: &Scene) {
+    let robot = &scene.robot;
+    let stray = |faults: &mut Faults, field: &str| {
+        faults.conflict(
+            field,
+            "stands beside [[cable]], and cables are described one way or the other",
+            "remove robot.cable_offset_mm and [actuation], or every [[cable]]",
+        );
+    };
+    match (robot.cable_offset_mm, &scene.actuation) {
+        (Some(_), _) if !scene.cables.is_empty() => stray(faults, "robot.cable_offset_mm"),
+        (_, Some(_)) if !scene.cables.is_empty() => stray(faults, "actuation"),
+        _ if robot.cable_diameter_mm != 0.0 && !scene.cables.is_empty() => faults.conflict(
+            "robot.cable_diameter_mm",
+            "stands beside [[cable]], and there each cable has its own",
+            "write it as diameter_mm under each [[cable]]",
+        ),
+        _ if !scene.cables.is_empty() => {}
+        (None, None) => faults.0.push(crate::scene::SceneError::MissingKey {
+            path: "actuation".to_owned(),
+            what: "robot.cable_offset_mm with a table headed [actuation] for one cable, or a \
+                   table under its own [[cable]] for each"
+                .to_owned(),
+        }),
+        (None, Some(_)) => faults.0.push(missing_at("robot.cable_offset_mm")),
+        (Some(_), None) => faults.0.push(missing_at("actuation")),
+        (Some(_), Some(_)) => {}
+    }
+}
+
+fn one(faults: &mut Faults, at: &str, cable: &Cable, last_disk: u32) {
+    let offset = cable.offset_mm;
+    if faults.number(at, "offset_mm", offset, CABLE_SIDE) && !CABLE_OFFSET.contain(offset.abs()) {
+        let (least, most) = (shown(CABLE_OFFSET.min), shown(CABLE_OFFSET.max));
+        let allowed = format!("from {least} to {most}, or from -{most} to -{least}");
+        faults.not_within(at, "offset_mm", offset, allowed, CABLE_SIDE);
+    }
+    driven(faults, at, cable.drive);
+    if let Some(disk) = cable.to_disk {
+        let fine = faults.number(at, "to_disk", disk.into(), TO_DISK);
+        if fine && last_disk > 0 && disk > last_disk {
+            let allowed = format!("from 1 to the last disk, {last_disk}");
+            faults.not_within(at, "to_disk", disk.into(), allowed, TO_DISK);
+        }
+    }
+    faults.number(at, "diameter_mm", cable.diameter_mm, LINE_DIAMETER);
+}
+
+fn driven(faults: &mut Faults, at: &str, drive: Drive) -> bool {
+    match drive {
+        Drive::PullMm(pull) => faults.number(at, drive.key(), pull, PULL),
+        Drive::LoadG(load) => faults.number(at, drive.key(), load, LOAD),
+    }
+}
+
+/// A load bends a robot by as much as its stiffness lets it.
+fn without_stiffness(faults: &mut Faults, scene: &Scene, at: &str, drive: Drive) {
+    if let Drive::LoadG(load) = drive
+        && LOAD.contain(load)
+    {
+        let field = format!("{at}.{}", drive.key());
+        needs_stiffness(faults, scene, field, &with_unit(load, LOAD));
+    }
+}
+
+pub(super) fn friction(faults: &mut Faults, friction: &Friction) {
+    let at = "friction";
+    faults.number(at, "holes", friction.holes, FRICTION);
+    faults.number(at, "contacts", friction.contacts, FRICTION);
+    faults.number(at, "base_loss", friction.base_loss, BASE_LOSS);
+}
+
+pub(super) fn loads(faults: &mut Faults, scene: &Scene) {
+    let loads = &scene.loads;
+    // What the other model does not know needs no stiffness either.
+    let sliding = scene.model.mechanics == Mechanics::Sliding;
+    for (key, [x, y], range) in [
+        ("tip_force_n", loads.tip_force_n, TIP_FORCE),
+        ("gravity_m_s2", loads.gravity_m_s2, GRAVITY),
+    ] {
+        let fine = faults.pair(format_args!("loads.{key}"), [x, y], range);
+        if fine && sliding && [x, y] != [0.0; 2] {
+            needs_stiffness(faults, scene, format!("loads.{key}"), &pair(x, y, range));
+        }
+    }
+    let moment = loads.tip_moment_nmm;
+    let fine = faults.number("loads", "tip_moment_nmm", moment, TIP_MOMENT);
+    if fine && sliding && moment != 0.0 {
+        let field = "loads.tip_moment_nmm".to_owned();
+        needs_stiffness(faults, scene, field, &with_unit(moment, TIP_MOMENT));
+    }
+}
+
+fn needs_stiffness(faults: &mut Faults, scene: &Scene, field: String, value: &str) {
+    if scene.robot.bending_stiffness_nmm2.is_none() {
+        faults.conflict(
+            field,
+            format!("is {value}, and what that does to the robot depends on its stiffness"),
+            "set robot.bending_stiffness_nmm2",
+        );
+    }
+}
+
+/// A number as one would write it, with its unit.
+pub(super) fn with_unit(value: f64, range: Limits) -> String {
+    let unit = range.unit.symbol();
+    let space = if unit.is_empty() { "" } else { " " };
+    format!("{}{space}{unit}", shown(value))
+}
+
+/// Two numbers as one would write them, with their unit.
+pub(super) fn pair(x: f64, y: f64, range: Limits) -> String {
+    format!("[{}, {}] {}", shown(x), shown(y), range.unit.symbol())
+}
