@@ -703,6 +703,85 @@ fn a_pull_that_cannot_be_is_refused_like_one_in_the_file() {
 }
 
 #[test]
+fn values_are_set_before_anything_is_done_with_the_scene() {
+    let scene = asset("two-discs");
+    let solved = |args: &[&str]| json(&[&["solve", &scene, "--format", "json"], args].concat(), 0);
+    let nodes = |solved: &Value| list(&solved["backbone_mm"]).len();
+    let by_pull = solved(&["--pull", "3"]);
+    assert_eq!(solved(&["--set", "actuation.pull_mm=3"]), by_pull);
+    // An option of its own is the last word.
+    let both = ["--set", "actuation.pull_mm=-4", "--pull", "3"];
+    assert_eq!(solved(&both), by_pull);
+    let spaced = solved(&[
+        "--set",
+        "robot.disk_spacing_mm = 10",
+        "--set",
+        "robot.base_mm[0]=-5",
+    ]);
+    assert_eq!((nodes(&by_pull), nodes(&spaced)), (19, 37));
+    assert_eq!(number(&list(&spaced["backbone_mm"])[0][0]), -5.0);
+
+    let summary = check(&["check", &scene, "--set", "title=\"Set\""], 0).out;
+    assert!(summary.starts_with("Set: no faults."), "{summary}");
+    let set = ["--set", "obstacle[0].point_mm[0]=31"];
+    check(&[&["force", &asset("load-cell")], &set[..]].concat(), 0);
+    check(
+        &[&["draw", &asset("load-cell"), "-o", "-"], &set[..]].concat(),
+        0,
+    );
+    let measured = temporary("set.csv");
+    fs::write(&measured, "x_mm,y_mm\n0,0\n0,90\n0,180\n").unwrap();
+    let measured = measured.to_str().unwrap();
+    let set = ["--set", "robot.segments=36"];
+    check(
+        &[&["compare", &asset("free"), measured], &set[..]].concat(),
+        0,
+    );
+}
+
+#[test]
+fn values_that_cannot_be_set_are_refused() {
+    let scene = asset("two-discs");
+    let refused =
+        |set: &str, told: &str| check_refused(&["solve", &scene, "--set", set], b"", told);
+    refused(
+        "robot.length_mm",
+        "--set robot.length_mm has no value; write it as --set robot.length_mm=VALUE",
+    );
+    refused(
+        "robot.lenght_mm=3",
+        "--set robot.lenght_mm=3: robot.lenght_mm is not a key of a scene; did you mean `length_mm`?",
+    );
+    refused(
+        "robot.disk_spacing_mm=23",
+        "--set robot.disk_spacing_mm=23: robot.disk_spacing_mm is 23 mm, which does not divide robot.length_mm, 180; set it to 22.5 for 8 disks or 25.714285714285715 for 7 disks",
+    );
+    let at = |fault: &str| format!("{scene}: {fault}");
+    refused(
+        "robot.length_mm=0",
+        &at("robot.length_mm is 0 mm; set it to a value from 1 to 100000 mm"),
+    );
+    refused(
+        "model.mechanics=sliding",
+        &at(
+            "model.mechanics is \"sliding\", also where it is left out, and this program cannot solve that model yet; set it to \"equal\" for the paper's",
+        ),
+    );
+    refused(
+        "actuation.load_g=300",
+        &at(
+            "actuation.load_g is 300 g, and this program cannot solve the paper's model for a load yet; set pull_mm in its place",
+        ),
+    );
+    let cables = include_str!("cases/scene/cables.toml");
+    check_refused(
+        &["solve", "-", "--pull", "3"],
+        cables.as_bytes(),
+        "--pull names no cable, and standard input has 2; use --set cable[0].pull_mm=3",
+    );
+}
+
+#[test]
 fn arguments_that_mean_nothing_are_refused() {
     let scene = asset("free");
     for more in [

@@ -22,6 +22,7 @@ Exit codes: 0 solved, 1 no results, 2 bad input, 3 not converged.";
 const SOLVE_EXAMPLES: &str = "\
 Examples:
   sinew solve two-discs.toml --pull 5
+  sinew solve two-discs.toml --set robot.disks=18 --set robot.segments_per_bay=1
   sinew solve two-discs.toml --path 20                  a line for each pull
   sinew solve two-discs.toml --path 20 --format csv > path.csv
   sinew solve two-discs.toml --repeat 1000              how long a solve takes
@@ -82,6 +83,17 @@ pub(super) enum Command {
     Schema,
 }
 
+/// What is changed of a scene before anything is done with it.
+#[derive(Args)]
+pub(super) struct Edits {
+    /// Set a value of the scene first, by its name in the file and in messages:
+    /// obstacle[0].center_mm[0]=44. May be given several times. Beside the
+    /// file's keys there are robot.disks and robot.disk_spacing_mm, which set
+    /// the number of segments.
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+}
+
 #[derive(Args)]
 #[command(after_help = SOLVE_EXAMPLES)]
 pub(super) struct Solve {
@@ -108,6 +120,9 @@ pub(super) struct Solve {
         conflicts_with = "path"
     )]
     pub repeat: Option<u32>,
+
+    #[command(flatten)]
+    pub edits: Edits,
 }
 
 #[derive(Args)]
@@ -128,6 +143,9 @@ pub(super) struct Draw {
     /// The colours. An SVG with auto follows its viewer; a PNG is light then.
     #[arg(long, value_enum, default_value_t = Look::Auto)]
     pub theme: Look,
+
+    #[command(flatten)]
+    pub edits: Edits,
 }
 
 /// The colours of a picture.
@@ -145,6 +163,9 @@ pub(super) enum Look {
 pub(super) struct Check {
     /// The scene file, or - for standard input.
     pub scene: PathBuf,
+
+    #[command(flatten)]
+    pub edits: Edits,
 }
 
 #[derive(Args)]
@@ -228,6 +249,9 @@ pub(super) struct Force {
     /// How to print the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+
+    #[command(flatten)]
+    pub edits: Edits,
 }
 
 /// Whose motion virtual work looks at.
@@ -263,6 +287,9 @@ pub(super) struct Compare {
     /// How to print the result; CSV has a row for each measured point.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+
+    #[command(flatten)]
+    pub edits: Edits,
 }
 
 #[derive(Args)]

@@ -21,7 +21,7 @@ use crate::units::millimetres;
 const NAMED: usize = 8;
 
 pub(super) fn run(what: &Check) -> Result<Outcome, Failure> {
-    let (scene, problem) = input::problem(&what.scene, None)?;
+    let (scene, problem) = input::problem(&what.scene, &what.edits, None)?;
     // What `compare` would refuse is a fault, too.
     let measured = compare::held(&scene, &problem, &input::origin(&what.scene))?;
     let mut text = summary(&scene, &problem);

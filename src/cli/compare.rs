@@ -27,7 +27,7 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
         let both = "the scene and the measured backbone cannot both be standard input";
         return Err(BadInput::Arguments(both.to_owned()).into());
     }
-    let (scene, problem) = input::problem(&what.scene, what.pull)?;
+    let (scene, problem) = input::problem(&what.scene, &what.edits, what.pull)?;
     let (measured, left_out) = match &what.measured {
         Some(path) => tables::measured(path, &problem)?,
         None => {

@@ -27,7 +27,7 @@ use crate::units::{
 const PULLS: usize = 41;
 
 pub(super) fn run(what: &Force) -> Result<Outcome, Failure> {
-    let (scene, problem) = input::problem(&what.scene, None)?;
+    let (scene, problem) = input::problem(&what.scene, &what.edits, None)?;
     let loads = numbers::loads("--loads", &what.loads)?;
     let found = estimate(what, &scene, &problem, &loads)?;
     let mut out = BufWriter::new(io::stdout().lock());

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use anyhow::bail;
 
+use super::arguments::Edits;
 use super::output::printable;
 use crate::mechanics::Problem;
 use crate::scene::{MAX_FILE_BYTES, Scene, SceneError};
@@ -43,16 +44,24 @@ impl BadInput {
     }
 }
 
-/// The scene in a file and the problem it describes, its pull replaced where another one is given.
-pub(super) fn problem(path: &Path, pull_mm: Option<f64>) -> Result<(Scene, Problem), BadInput> {
+/// The scene in a file and the problem it describes, after what is to be set in
+/// it, its pull replaced where another one is given.
+pub(super) fn problem(
+    path: &Path,
+    edits: &Edits,
+    pull_mm: Option<f64>,
+) -> Result<(Scene, Problem), BadInput> {
     let origin = origin(path);
     let mut scene = bytes(path, A_SCENE)
         .and_then(|bytes| Ok(Scene::from_toml_bytes(&bytes)?))
         .map_err(|error: anyhow::Error| error.context(origin.clone()))?;
+    for edit in &edits.set {
+        set(&mut scene, edit)?;
+    }
     if let Some(pull_mm) = pull_mm {
         if scene.cable_count() > 1 {
             return Err(BadInput::Arguments(format!(
-                "--pull names no cable, and {origin} has {}",
+                "--pull names no cable, and {origin} has {}; use --set cable[0].pull_mm={pull_mm}",
                 scene.cable_count()
             )));
         }
@@ -72,6 +81,20 @@ pub(super) fn problem(path: &Path, pull_mm: Option<f64>) -> Result<(Scene, Probl
         }
     }
     Err(BadInput::Faulty { origin, faults })
+}
+
+/// Sets what `--set` was given.
+fn set(scene: &mut Scene, edit: &str) -> Result<(), BadInput> {
+    let option = format!("--set {}", printable(edit));
+    let Some((key, value)) = edit.split_once('=') else {
+        return Err(BadInput::Arguments(format!(
+            "{option} has no value; write it as --set {}=VALUE",
+            printable(edit)
+        )));
+    };
+    scene
+        .set(key, value)
+        .map_err(|fault| BadInput::Arguments(format!("{option}: {fault}")))
 }
 
 /// A fault of the pull given on the command line names that, not the file.

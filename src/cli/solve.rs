@@ -25,7 +25,7 @@ pub(super) fn run(what: &Solve) -> Result<Outcome, Failure> {
         )
         .into());
     }
-    let (scene, problem) = input::problem(&what.scene, what.pull)?;
+    let (scene, problem) = input::problem(&what.scene, &what.edits, what.pull)?;
     let out = BufWriter::new(io::stdout().lock());
     let mut output = Output::new(out, what.format, Labels::of(&scene, &problem));
     // Its range was checked with the scene's.

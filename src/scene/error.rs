@@ -75,6 +75,15 @@ pub enum SceneError {
         since: u32,
     },
 
+    /// A key that means something in scenes, and nothing in this one.
+    #[error("{path} is not in the scene; {advice}")]
+    NotThere {
+        /// The key with the tables it is in.
+        path: String,
+        /// What is there, and what to do.
+        advice: String,
+    },
+
     /// A word outside the choice.
     #[error("{path} is {found}; {}", suggestion(.nearest, .known))]
     UnknownWord {
@@ -226,6 +235,7 @@ impl SceneError {
             SceneError::Version { .. } => Some("version"),
             SceneError::UnknownKey { path: field, .. }
             | SceneError::NewerKey { path: field, .. }
+            | SceneError::NotThere { path: field, .. }
             | SceneError::UnknownWord { path: field, .. }
             | SceneError::MissingKey { path: field, .. }
             | SceneError::WrongType { path: field, .. }

@@ -8,7 +8,7 @@ mod table;
 
 use super::limits::{Limits, Unit};
 use super::{SceneError, VERSION};
-pub(super) use table::{SCENE, SHAPE, SHAPES};
+pub(super) use table::{SCENE, SHAPE, SHAPES, SPACING};
 
 /// A key of a table.
 pub(super) struct Key {

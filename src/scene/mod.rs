@@ -45,6 +45,7 @@ mod polygon;
 mod robot;
 #[cfg(feature = "cli")]
 pub mod schema;
+mod set;
 mod slip;
 mod walk;
 

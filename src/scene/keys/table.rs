@@ -112,6 +112,21 @@ const ROBOT: &[Key] = &[
     ),
 ];
 
+/// Numbers that a scene does not keep and that can be set all the same: they
+/// stand for `robot.segments`.
+pub(in crate::scene) const SPACING: &[Key] = &[
+    optional(
+        "disk_spacing_mm",
+        "the distance between neighbouring disks",
+        Kind::Number(limits::DISK_SPACING),
+    ),
+    optional(
+        "disks",
+        "the number of disks without the base's",
+        Kind::Whole(limits::DISKS),
+    ),
+];
+
 const ACTUATION: &[Key] = &[PULL, LOAD];
 
 const PULL: Key = Key {
