@@ -1,8 +1,12 @@
 //! Cables, loads and friction in scene files: both ways to describe a cable,
 //! one way to read it, and what is told of what cannot be meant.
 
+use sinew::equilibrium::{Settings, Start, solve};
 use sinew::mechanics::Problem;
-use sinew::scene::{Actuation, Cable, Drive, Line, Listed, Mechanics, Scene};
+use sinew::robot::{self, Robot};
+use sinew::scene::{
+    Actuation, Cable, Candidates, Contact, Drive, Line, Listed, Mechanics, Scene, Shape,
+};
 
 const CABLES: &str = include_str!("cases/scene/cables.toml");
 const FULL: &str = include_str!("cases/scene/full.toml");
@@ -261,6 +265,17 @@ fn numbers_of_cables_are_kept_in_range() {
     ] {
         check_edit(old, new, &[expected]);
     }
+    let other_side = CABLES.replace("= -7.5", "= -9").replacen(
+        "segments = 18",
+        "segments = 18\ndisk_radius_mm = 8.75",
+        1,
+    );
+    check(
+        &other_side,
+        &[
+            "robot.disk_radius_mm is 8.75 mm; set it to a value from the amount of cable[1].offset_mm, 9, to 10000 mm",
+        ],
+    );
     let cable = "[[cable]]\noffset_mm = 8.5\nload_g = 1\n";
     let many = CABLES.replacen("[contact]", &format!("{}[contact]", cable.repeat(15)), 1);
     check(
@@ -304,6 +319,48 @@ fn listed_nodes_are_on_lines_that_are_there() {
         "line = \"cable\", node = 18",
         &[],
     );
+}
+
+#[test]
+fn a_listed_rim_keeps_both_ends_of_its_disk_out() {
+    let wall = Shape::Wall {
+        point_mm: [40.0, 100.0],
+        rotation_deg: 180.0,
+        corner_radius_mm: 0.0,
+    };
+    let mut scene = Scene {
+        obstacles: vec![wall.into()],
+        ..Scene::default()
+    };
+    scene.robot.disk_radius_mm = Some(10.0);
+    // Only a body has a thickness.
+    scene.robot.disk_thickness_mm = 3.0;
+    scene.set_pull_mm(6.0);
+    scene.contact = Contact {
+        candidates: Candidates::Listed,
+        listed: vec![Listed {
+            line: Line::Rim,
+            cable: 0,
+            node: 18,
+        }],
+    };
+    assert_eq!(scene.faults(), []);
+    let robot = Robot::of(&scene);
+    let ends: Vec<_> = robot
+        .candidates(&scene.contact)
+        .iter()
+        .map(|end| (end.line, end.node, end.lever(), end.radius))
+        .collect();
+    let [near, far] = [robot::Line::RimCableSide, robot::Line::RimFarSide];
+    assert_eq!(ends, [(near, 18, 0.010, 0.0), (far, 18, 0.010, 0.0)]);
+    let solution = solve(
+        &Problem::new(&scene).unwrap(),
+        Start::Straight,
+        Settings::default(),
+    );
+    assert!(solution.certificate.holds());
+    let pressing: Vec<_> = solution.contacts.iter().map(|found| found.line).collect();
+    assert_eq!(pressing, [near]);
 }
 
 #[test]
