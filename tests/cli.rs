@@ -720,6 +720,10 @@ fn values_are_set_before_anything_is_done_with_the_scene() {
     ]);
     assert_eq!((nodes(&by_pull), nodes(&spaced)), (19, 37));
     assert_eq!(number(&list(&spaced["backbone_mm"])[0][0]), -5.0);
+    // In their order: nine disks of one segment each, not of two.
+    let single = "robot.segments_per_bay=1";
+    let disks = solved(&["--set", single, "--set", "robot.disks=9"]);
+    assert_eq!(nodes(&disks), 10);
 
     let summary = check(&["check", &scene, "--set", "title=\"Set\""], 0).out;
     assert!(summary.starts_with("Set: no faults."), "{summary}");

@@ -307,6 +307,42 @@ fn a_crash_loses_nothing() {
 }
 
 #[test]
+fn files_and_lost_work_of_version_1_open_and_are_saved_as_version_2() {
+    let desk = Desk::default();
+    let old = include_str!("cases/version-1/grip.toml");
+    desk.put("/home/a/old.toml", old);
+    let left = toml::Table::from_iter([
+        ("name".to_owned(), "Old".into()),
+        ("scene".to_owned(), old.into()),
+    ]);
+    desk.leave(&toml::to_string(&left).unwrap());
+    let mut window = window(&desk);
+    assert!(says(&window, "Old was not saved"));
+    press(&mut window, "Restore");
+    let successor = Scene::from_toml(include_str!("../assets/scenes/grip.toml")).unwrap();
+    assert_eq!(*scene(&window), successor);
+    desk.answer(Some("/home/a/restored.toml"));
+    ctrl(&mut window, Key::S);
+    assert!(
+        desk.text("/home/a/restored.toml")
+            .starts_with("version = 2\n")
+    );
+
+    drop_on(&mut window, &desk, "/home/a/old.toml");
+    assert_eq!(*scene(&window), successor);
+    assert!(!bench(&window).document.is_changed());
+    pull(&mut window, 3.25);
+    ctrl(&mut window, Key::S);
+    let saved = desk.text("/home/a/old.toml");
+    assert!(saved.starts_with("version = 2\n"), "{saved}");
+    assert!(
+        saved.contains("\n[model]\nmechanics = \"equal\"\n"),
+        "{saved}"
+    );
+    assert!(saved.contains("pull_mm = 3.25"), "{saved}");
+}
+
+#[test]
 fn two_windows_that_crash_lose_nothing() {
     let desk = Desk::default();
     let mut windows = [window(&desk), window(&desk)];

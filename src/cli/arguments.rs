@@ -22,7 +22,7 @@ Exit codes: 0 solved, 1 no results, 2 bad input, 3 not converged.";
 const SOLVE_EXAMPLES: &str = "\
 Examples:
   sinew solve two-discs.toml --pull 5
-  sinew solve two-discs.toml --set robot.disks=18 --set robot.segments_per_bay=1
+  sinew solve two-discs.toml --set robot.segments_per_bay=1 --set robot.disks=9
   sinew solve two-discs.toml --path 20                  a line for each pull
   sinew solve two-discs.toml --path 20 --format csv > path.csv
   sinew solve two-discs.toml --repeat 1000              how long a solve takes
@@ -87,9 +87,10 @@ pub(super) enum Command {
 #[derive(Args)]
 pub(super) struct Edits {
     /// Set a value of the scene first, by its name in the file and in messages:
-    /// obstacle[0].center_mm[0]=44. May be given several times. Beside the
-    /// file's keys there are robot.disks and robot.disk_spacing_mm, which set
-    /// the number of segments.
+    /// obstacle[0].center_mm[0]=44. May be given several times and is done in
+    /// that order. Beside the file's keys there are robot.disks and
+    /// robot.disk_spacing_mm, which set the number of segments at the length
+    /// and the segments a bay that the robot then has.
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 }

@@ -25,32 +25,40 @@ pub(super) fn cables(faults: &mut Faults, scene: &Scene) {
 
 fn one_way(faults: &mut Faults, scene: &Scene) {
     let robot = &scene.robot;
-    let stray = |faults: &mut Faults, field: &str| {
-        faults.conflict(
-            field,
-            "stands beside [[cable]], and cables are described one way or the other",
-            "remove robot.cable_offset_mm and [actuation], or every [[cable]]",
-        );
-    };
-    match (robot.cable_offset_mm, &scene.actuation) {
-        (Some(_), _) if !scene.cables.is_empty() => stray(faults, "robot.cable_offset_mm"),
-        (_, Some(_)) if !scene.cables.is_empty() => stray(faults, "actuation"),
-        _ if robot.cable_diameter_mm != 0.0 && !scene.cables.is_empty() => faults.conflict(
-            "robot.cable_diameter_mm",
-            "stands beside [[cable]], and there each cable has its own",
-            "write it as diameter_mm under each [[cable]]",
-        ),
-        _ if !scene.cables.is_empty() => {}
-        (None, None) => faults.0.push(SceneError::MissingKey {
-            path: "actuation".to_owned(),
-            what: "robot.cable_offset_mm with a table headed [actuation] for one cable, or a \
-                   table under its own [[cable]] for each"
-                .to_owned(),
-        }),
-        (None, Some(_)) => faults.0.push(missing_at("robot.cable_offset_mm")),
-        (Some(_), None) => faults.0.push(missing_at("actuation")),
-        (Some(_), Some(_)) => {}
+    let with_robot = (robot.cable_offset_mm, &scene.actuation);
+    if scene.cables.is_empty() {
+        match with_robot {
+            (Some(_), Some(_)) => {}
+            (Some(_), None) => faults.0.push(missing_at("actuation")),
+            (None, Some(_)) => faults.0.push(missing_at("robot.cable_offset_mm")),
+            (None, None) => faults.0.push(SceneError::MissingKey {
+                path: "actuation".to_owned(),
+                what: "robot.cable_offset_mm with a table headed [actuation] for one cable, or a \
+                       table under its own [[cable]] for each"
+                    .to_owned(),
+            }),
+        }
+        return;
     }
+    let stray = match with_robot {
+        (Some(_), _) => "robot.cable_offset_mm",
+        (None, Some(_)) => "actuation",
+        (None, None) => {
+            if robot.cable_diameter_mm != 0.0 {
+                faults.conflict(
+                    "robot.cable_diameter_mm",
+                    "stands beside [[cable]], and there each cable has its own",
+                    "write it as diameter_mm under each [[cable]]",
+                );
+            }
+            return;
+        }
+    };
+    faults.conflict(
+        stray,
+        "stands beside [[cable]], and cables are described one way or the other",
+        "remove robot.cable_offset_mm and [actuation], or every [[cable]]",
+    );
 }
 
 fn one(faults: &mut Faults, scene: &Scene, at: impl Display + Copy, cable: &Cable) {
