@@ -1,10 +1,12 @@
 //! From a scene, in the file's units, to a problem that cannot be wrong.
 
-use super::problem::Problem;
+use super::drive::{Drive, DrivenCable, Input, Loads};
+use super::problem::{Model, Problem};
 use crate::contact::{covers_base, obstacle};
-use crate::robot::Robot;
-use crate::scene::{self, Drive, Mechanics, Scene, SceneError, limits::shown};
-use crate::units::{metres, millimetres};
+use crate::geometry::Vector;
+use crate::robot::{Cable, Robot};
+use crate::scene::{self, Mechanics, Scene, SceneError, limits::shown};
+use crate::units::{metres, millimetres, newton_square_metres, newtons};
 
 impl Problem {
     /// The problem a scene describes.
@@ -34,23 +36,44 @@ impl Problem {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let pull_mm = pull_mm(scene).map_err(|fault| vec![fault])?;
         let robot = Robot::of(scene);
-        let candidates = robot.candidates(&scene.contact);
+        let (model, drive) = match scene.model.mechanics {
+            Mechanics::Equal => {
+                let pull_mm = pull_mm(scene).map_err(|fault| vec![fault])?;
+                (Model::Equal, Drive::of_pull(&robot, metres(pull_mm)))
+            }
+            Mechanics::Sliding => {
+                let drive = drive(scene, &robot).map_err(|fault| vec![fault])?;
+                (Model::Sliding, drive)
+            }
+        };
+        let cables: Vec<Cable> = drive.cables.iter().map(|driven| driven.cable).collect();
+        let candidates = match model {
+            Model::Equal => robot.candidates(&scene.contact),
+            Model::Sliding => robot.strung_candidates(&cables, &scene.contact),
+        };
         let mut faults = Vec::new();
-        let pull = metres(pull_mm);
-        let (least, most) = robot.pull_range();
-        if !(least..=most).contains(&pull) {
-            faults.push(SceneError::not_within(
-                scene.cable_field(0, "pull_mm"),
-                pull_mm,
-                format!(
-                    "for which the segments' linkages exist, from {} to {}",
-                    shown(rounded_towards_zero(millimetres(least))),
-                    shown(rounded_towards_zero(millimetres(most)))
-                ),
-                "mm",
-            ));
+        let (least, most) = Problem::pulls(&robot, model);
+        for (index, driven) in drive.cables.iter().enumerate() {
+            let Input::Pull(pull) = driven.input else {
+                continue;
+            };
+            if !(least..=most).contains(&pull) {
+                let why = match model {
+                    Model::Equal => "for which the segments' linkages exist, from",
+                    Model::Sliding => "within the robot's length, from",
+                };
+                faults.push(SceneError::not_within(
+                    scene.cable_field(index, "pull_mm"),
+                    scene.cable(index).drive.pull_mm().unwrap_or_default(),
+                    format!(
+                        "{why} {} to {}",
+                        shown(rounded_towards_zero(millimetres(least))),
+                        shown(rounded_towards_zero(millimetres(most)))
+                    ),
+                    "mm",
+                ));
+            }
         }
         let mut obstacles = Vec::new();
         for (index, described) in scene.obstacles.iter().enumerate() {
@@ -69,27 +92,73 @@ impl Problem {
             }
         }
         if faults.is_empty() {
-            Ok(Problem::from_parts(robot, pull, candidates, obstacles))
+            Ok(match model {
+                Model::Equal => Problem::from_parts(robot, drive.pull(), candidates, obstacles),
+                Model::Sliding => Problem::sliding(robot, drive, candidates, obstacles),
+            })
         } else {
             Err(faults)
         }
     }
 }
 
-/// The pull of the one cable, where this mechanics can be asked for it.
-fn pull_mm(scene: &Scene) -> Result<f64, SceneError> {
-    if scene.model.mechanics == Mechanics::Sliding {
-        return Err(SceneError::Conflict {
-            field: "model.mechanics".to_owned(),
-            problem: "is \"sliding\", also where it is left out, and this program cannot solve \
-                      that model yet"
-                .to_owned(),
-            advice: "set it to \"equal\" for the paper's".to_owned(),
-        });
+/// What drives the sliding cables of a scene.
+fn drive(scene: &Scene, robot: &Robot) -> Result<Drive, SceneError> {
+    let friction = &scene.friction;
+    for (key, value) in [
+        ("friction.holes", friction.holes),
+        ("friction.contacts", friction.contacts),
+        ("friction.base_loss", friction.base_loss),
+    ] {
+        if value != 0.0 {
+            return Err(SceneError::Conflict {
+                field: key.to_owned(),
+                problem: format!(
+                    "is {}, and this program cannot solve for friction yet",
+                    shown(value)
+                ),
+                advice: "leave it out".to_owned(),
+            });
+        }
     }
+    let last = robot.segments / robot.segments_per_bay;
+    let bay = robot.segment_length() * robot.segments_per_bay as f64;
+    let cables = scene.each_cable().map(|described| {
+        let last_disk = described.to_disk.map_or(last, |disk| disk as usize);
+        let straight = bay * last_disk as f64;
+        DrivenCable {
+            cable: Cable {
+                offset: metres(described.offset_mm),
+                last_disk,
+                compliance: described.axial_stiffness_n.map_or(0.0, |ea| straight / ea),
+                diameter: metres(described.diameter_mm),
+            },
+            input: match described.drive {
+                scene::Drive::PullMm(pull_mm) => Input::Pull(metres(pull_mm)),
+                scene::Drive::LoadG(load_g) => Input::Load(newtons(load_g)),
+            },
+        }
+    });
+    let gravity = Vector::from(scene.loads.gravity_m_s2);
+    let kilograms = |grams: f64| 1e-3 * grams;
+    let given = &scene.robot;
+    Ok(Drive {
+        cables: cables.collect(),
+        loads: Loads {
+            tip_force: Vector::from(scene.loads.tip_force_n),
+            tip_moment: metres(scene.loads.tip_moment_nmm),
+            disk: kilograms(given.disk_mass_g) * gravity,
+            backbone: kilograms(given.backbone_mass_g) * gravity,
+        },
+        stiffness: given.bending_stiffness_nmm2.map(newton_square_metres),
+    })
+}
+
+/// The pull of the one cable, where the paper's mechanics can be asked for it.
+fn pull_mm(scene: &Scene) -> Result<f64, SceneError> {
     match scene.cable(0).drive {
-        Drive::PullMm(pull_mm) => Ok(pull_mm),
-        drive @ Drive::LoadG(load_g) => Err(SceneError::Conflict {
+        scene::Drive::PullMm(pull_mm) => Ok(pull_mm),
+        drive @ scene::Drive::LoadG(load_g) => Err(SceneError::Conflict {
             field: scene.cable_field(0, drive.key()),
             problem: format!(
                 "is {} g, and this program cannot solve the paper's model for a load yet",

@@ -165,7 +165,15 @@ impl Problem {
     /// The pulls that can be asked for, in metres, ends included: in the paper's model
     /// those for which its linkages exist.
     pub fn pull_range(&self) -> (f64, f64) {
-        pull_range(&self.robot, self.model)
+        Self::pulls(&self.robot, self.model)
+    }
+
+    /// The same of a robot in a model.
+    pub fn pulls(robot: &Robot, model: Model) -> (f64, f64) {
+        match model {
+            Model::Equal => robot.pull_range(),
+            Model::Sliding => (-robot.length, robot.length),
+        }
     }
 
     /// A segment of the paper's model at the present pull.
@@ -258,15 +266,8 @@ impl Problem {
     }
 }
 
-fn pull_range(robot: &Robot, model: Model) -> (f64, f64) {
-    match model {
-        Model::Equal => robot.pull_range(),
-        Model::Sliding => (-robot.length, robot.length),
-    }
-}
-
 fn is_in_range(robot: &Robot, model: Model, drive: &Drive) -> bool {
-    let (least, most) = pull_range(robot, model);
+    let (least, most) = Problem::pulls(robot, model);
     (least..=most).contains(&drive.pull())
 }
 

@@ -5,6 +5,7 @@ use super::cable::Cable;
 use super::candidate::{Candidate, Element, Joins, Line};
 use super::dimensions::Robot;
 use super::sizes::Sizes;
+use crate::scene::{self, Candidates};
 
 impl Robot {
     /// A part on the backbone or on a disk, which touches by itself.
@@ -51,6 +52,40 @@ impl Robot {
             self.bare(Line::RimCableSide, node, rim),
             self.bare(Line::RimFarSide, node, -rim),
         ]
+    }
+
+    /// The parts that a scene lets touch.
+    pub fn strung_candidates(&self, cables: &[Cable], contact: &scene::Contact) -> Vec<Candidate> {
+        let nodes = 1..=self.segments;
+        let all = |node| {
+            let on_cables = cables.iter().enumerate();
+            on_cables.filter_map(move |(index, cable)| self.cable_point(index, cable, node))
+        };
+        match contact.candidates {
+            Candidates::Nodes => nodes
+                .flat_map(|node| std::iter::once(self.backbone_point(node)).chain(all(node)))
+                .collect(),
+            Candidates::Body => nodes
+                .flat_map(|node| self.strung_parts(cables, node))
+                .collect(),
+            Candidates::Listed => {
+                let mut parts = Vec::new();
+                for listed in &contact.listed {
+                    let node = listed.node as usize;
+                    match listed.line {
+                        scene::Line::Backbone => parts.push(self.backbone_point(node)),
+                        scene::Line::Cable => {
+                            let index = listed.cable as usize;
+                            let cable = cables.get(index);
+                            let point = cable.and_then(|c| self.cable_point(index, c, node));
+                            parts.extend(point);
+                        }
+                        scene::Line::Rim => parts.extend(self.rim_points(node)),
+                    }
+                }
+                parts
+            }
+        }
     }
 
     /// Everything solid between a node and the one before, and of cables whatever ends
