@@ -9,12 +9,12 @@
 //! ```
 //! use sinew::scene::Scene;
 //!
-//! let text = "
+//! let text = r#"
 //!     version = 2
 //!     model = { mechanics = "equal" }
 //!     robot = { length_mm = 180, segments = 18, cable_offset_mm = 8 }
 //!     actuation = { pull_mm = 5 }
-//! ";
+//! "#;
 //! let scene = Scene::from_toml(text)?;
 //! scene.check()?;
 //! assert_eq!(scene.robot.segments_per_bay, 2);
