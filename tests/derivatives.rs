@@ -12,10 +12,10 @@ use any_chain::recharted::{Recharted, RowsIn};
 use any_chain::{
     Tolerances, check_gradients, check_hessian, check_kkt, check_stiffening, minimum, nudged,
 };
-use crowded::{controls, crowded};
+use crowded::{bends, controls, crowded, strung};
 use rolled_out::at;
 use sinew::contact::RowKind;
-use sinew::mechanics::{Equal, Mechanics, Problem};
+use sinew::mechanics::{Equal, Mechanics, Problem, Sliding};
 use sinew::scene::Scene;
 use sinew::solver::{Chain, Control, Hessian, Riccati, RowId};
 
@@ -74,6 +74,49 @@ fn stiffening_adds_the_outer_product_of_the_robots_gradients() {
     let compared = check_stiffening(&problem, &controls(&problem), STIFFNESS, ALLOWED).unwrap();
     let kinds = kinds(&problem, &compared);
     assert!(kinds.iter().all(|count| *count >= 2), "{kinds:?}");
+}
+
+/// One arc a bay, two, and fewer than there is room for.
+#[test]
+fn sliding_cables_have_exact_derivatives() {
+    check_strung::<1>(1);
+    check_strung::<2>(2);
+    check_strung::<4>(3);
+}
+
+fn check_strung<const NU: usize>(segments_per_bay: u32) {
+    let sliding: Sliding<NU> = strung(segments_per_bay);
+    let controls = bends(&sliding);
+    let count = sliding.obstacles().len();
+    let all = [
+        check_gradients(&sliding, &controls, ALLOWED),
+        check_hessian(&sliding, &controls, ALLOWED),
+        check_stiffening(&sliding, &controls, STIFFNESS, ALLOWED),
+    ];
+    for (check, compared) in all.into_iter().enumerate() {
+        let compared = compared.unwrap();
+        let is = |of: fn(RowKind) -> bool| {
+            let kinds = compared.iter().map(|id| RowKind::of(*id, count));
+            kinds.filter(|kind| of(*kind)).count()
+        };
+        let points = is(|kind| matches!(kind, RowKind::Contact { vertex: None, .. }));
+        let edges = is(|kind| {
+            matches!(
+                kind,
+                RowKind::Contact {
+                    vertex: Some(_),
+                    ..
+                }
+            )
+        });
+        let cables = is(|kind| matches!(kind, RowKind::Cable { .. }));
+        assert!(points >= 2 && edges >= 2, "{points} {edges}");
+        // A cable's length stiffens by other means.
+        assert!(cables == 2 || check == 2, "{cables}");
+    }
+    let point = at(&sliding, &controls);
+    let inside = point.rows.iter().filter(|row| row.control.amax() > 0.0);
+    assert!(NU == 1 || inside.count() >= 2);
 }
 
 /// Near where the robot rests on two discs.

@@ -31,8 +31,8 @@ pub enum Progress {
 /// A run, advanced in slices. Dropping it cancels it; [`Run::retarget`]
 /// changes its goal and keeps its last equilibrium.
 ///
-/// The solver is compiled for each number of arcs that a bay of the sliding cable may
-/// have, rounded up to one of these.
+/// The solver is compiled for one arc a bay of the sliding cable, for two, and for up to
+/// eight: every size takes 30 kB of the page.
 #[derive(Clone, Debug)]
 pub struct Run(Mechanics);
 
@@ -41,7 +41,6 @@ enum Mechanics {
     Equal(Box<Branch<Equal, 1>>),
     SlidingBy1(Box<Branch<Sliding<1>, 1>>),
     SlidingBy2(Box<Branch<Sliding<2>, 2>>),
-    SlidingBy4(Box<Branch<Sliding<4>, 4>>),
     SlidingBy8(Box<Branch<Sliding<8>, 8>>),
 }
 
@@ -52,7 +51,6 @@ macro_rules! each {
             Mechanics::Equal($branch) => $what,
             Mechanics::SlidingBy1($branch) => $what,
             Mechanics::SlidingBy2($branch) => $what,
-            Mechanics::SlidingBy4($branch) => $what,
             Mechanics::SlidingBy8($branch) => $what,
         }
     };
@@ -80,9 +78,6 @@ impl Run {
             }
             Kind::Sliding(2) => {
                 Mechanics::SlidingBy2(Box::new(Branch::new(problem, start, settings)))
-            }
-            Kind::Sliding(4) => {
-                Mechanics::SlidingBy4(Box::new(Branch::new(problem, start, settings)))
             }
             Kind::Sliding(_) => {
                 Mechanics::SlidingBy8(Box::new(Branch::new(problem, start, settings)))
@@ -167,6 +162,9 @@ enum Kind {
 fn kind(problem: &Problem) -> Kind {
     match problem.model() {
         Model::Equal => Kind::Equal,
-        Model::Sliding => Kind::Sliding(problem.robot().segments_per_bay.next_power_of_two()),
+        Model::Sliding => match problem.robot().segments_per_bay {
+            arcs @ (1 | 2) => Kind::Sliding(arcs),
+            _ => Kind::Sliding(8),
+        },
     }
 }

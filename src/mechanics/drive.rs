@@ -150,9 +150,10 @@ impl Drive {
 
     /// Whether another drives the same cables, by whatever inputs.
     pub fn same_cables(&self, other: &Self) -> bool {
-        let cables = |drive: &Self| drive.cables.iter().map(|driven| driven.cable).collect();
-        let (these, those): (Vec<Cable>, Vec<Cable>) = (cables(self), cables(other));
-        these == those && self.stiffness == other.stiffness
+        let mut pairs = self.cables.iter().zip(&other.cables);
+        self.cables.len() == other.cables.len()
+            && pairs.all(|(a, b)| a.cable == b.cable)
+            && self.stiffness == other.stiffness
     }
 
     /// The same inputs with the values that cables in these states have.

@@ -199,6 +199,12 @@ pub trait Chain<const NX: usize, const NU: usize> {
         1.0
     }
 
+    /// The size of the costs' gradient below which stationarity is not relative to it:
+    /// 1 for costs of order 1 at all points, less for those that may be smaller.
+    fn least_gradient(&self) -> f64 {
+        1.0
+    }
+
     /// The second derivative of `adjoint`ᵀF_k where [`Chain::stage`] left `kept`,
     /// with that of the cost but for [`Stage::cost_curvature`]; `adjoint` is a
     /// gradient in the chart of the node that the stage led to.

@@ -171,13 +171,6 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Point<C, NX, NU> {
         total
     }
 
-    /// The energy in the rows that give way: the least ½ε λ² with which g ≥ 0.
-    pub fn compliant_energy(&self) -> f64 {
-        let soft = self.sums.iter().filter(|sum| sum.row.compliance > 0.0);
-        soft.map(|sum| 0.5 * (-sum.value).max(0.0) * (-sum.value).max(0.0) / sum.row.compliance)
-            .sum()
-    }
-
     /// The greatest of max(0, −g) over all rows, in their unit, with their
     /// multipliers.
     pub fn worst_violation(&self, multipliers: &[f64]) -> f64 {

@@ -14,10 +14,10 @@
 //! block LDLᵀ of H in the tip-to-base order). Factoring and solving cost O(n).
 //!
 //! Where H is not, H + ρ c cᵀ with the gradient c of a row summed over the stages may
-//! be: a shape that is held by its cable's length need not be one that stays where it
-//! is under the cable's tension. The sum has no blocks; its inverse follows from H⁻¹
-//! (Sherman, Morrison, Woodbury), whose pivots then may be negative. With as many
-//! changes of sign of 1 + ρ cᵀH⁻¹c as H has negative eigenvalues the sum is positive.
+//! be: a minimum with the row's value held need not be one with its multiplier held.
+//! The sum has no blocks; its inverse follows from H⁻¹ (Sherman, Morrison, Woodbury),
+//! whose pivots then may be negative. With as many changes of sign of 1 + ρ cᵀH⁻¹c as H
+//! has negative eigenvalues the sum is positive.
 
 use super::chain::{Chain, Control, Stage, State};
 use super::hessian::Hessian;

@@ -41,7 +41,7 @@ pub struct Settings {
     /// Iterations before giving up.
     pub iterations: usize,
     /// Greatest entry of the Lagrangian's gradient, relative to the greatest
-    /// of the cost's (at least 1). A point this near is within 1e-10 of the
+    /// of the cost's (at least [`Chain::least_gradient`]). A point this near is within 1e-10 of the
     /// minimum in every control, and one more step would leave 1e-15; rounding
     /// at n = 10⁴ leaves 1e-12.
     pub stationarity: f64,
@@ -255,7 +255,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
             return Progress::Done(outcome);
         }
         let scale = chain.row_scale();
-        let cost_scale = self.cost_scale();
+        let cost_scale = self.cost_scale(chain);
         let stationarity = self.stationarity();
         let violation = self.point.worst_violation(&self.multipliers);
         let active = self.multipliers.iter().filter(|m| **m > 0.0).count();
@@ -321,10 +321,10 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         PENALTIES[self.penalty] * chain.multiplier_scale() / chain.row_scale()
     }
 
-    /// The greatest entry of the cost's gradient, at least 1.
-    fn cost_scale(&self) -> f64 {
+    /// The greatest entry of the cost's gradient, at least the chain's least.
+    fn cost_scale(&self, chain: &C) -> f64 {
         let entries = self.point.stages.iter().map(|s| s.cost_gradient.amax());
-        entries.fold(1.0, f64::max)
+        entries.fold(chain.least_gradient(), f64::max)
     }
 
     fn stationarity(&mut self) -> f64 {

@@ -25,8 +25,12 @@ const LONGEST_STEP: f64 = 1.0;
 /// The least a stretch of cable on the inner side of a bend may be left of its bay's
 /// length, before the disks there touch: the arcs' bends are bounded by that.
 const LEAST_STRETCH: f64 = 0.05;
-/// The most an arc may bend, in radians, whatever the disks' size: a quarter turn.
-const MOST_BEND: f64 = std::f64::consts::FRAC_PI_2;
+/// The most the arcs of a bay may bend together, in radians, whatever the disks' size:
+/// at half a turn a stretch no longer leads towards the tip.
+const MOST_BEND: f64 = 0.9 * std::f64::consts::PI;
+/// The bend of an arc, in radians, that a stationary point need not resolve better than
+/// [`crate::solver::Settings::stationarity`] of it: the certificate asks no more.
+const LEAST_BEND: f64 = 1e-5;
 
 /// The robot with sliding cables, with up to `NU` arcs a bay.
 #[derive(Debug)]
@@ -93,7 +97,9 @@ impl<const NU: usize> Sliding<NU> {
         self.bend = 1.0 / count;
         let offsets = drive.cables.iter().map(|driven| driven.cable.offset.abs());
         let reach = offsets.fold(0.0, f64::max);
-        self.most_bend = MOST_BEND.min((1.0 - LEAST_STRETCH) * self.arc / reach);
+        let arcs = robot.segments_per_bay as f64;
+        let touching = (1.0 - LEAST_STRETCH) * self.arc / reach;
+        self.most_bend = touching.min(MOST_BEND / arcs);
         self.per_energy = drive
             .stiffness
             .map_or(0.0, |stiffness| robot.length * count / stiffness);
@@ -258,6 +264,10 @@ impl<const NU: usize> Chain<3, NU> for Sliding<NU> {
 
     fn multiplier_scale(&self) -> f64 {
         self.problem.robot().segments as f64
+    }
+
+    fn least_gradient(&self) -> f64 {
+        LEAST_BEND / self.bend
     }
 
     fn longest_step(&self) -> f64 {

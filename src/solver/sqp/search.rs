@@ -16,14 +16,28 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
             .extend(moved.map(|(u, d)| u + amount * d));
     }
 
-    /// Σ L + μ Σ max(0, −g), with the energy of the rows that give way.
-    pub(super) fn merit(&self, point: &Point<C, NX, NU>) -> f64 {
-        let merit = point.cost + self.merit_penalty * point.total_violation();
+    /// Σ L + μ Σ max(0, −g) at a point after a part of the step. A row that gives way
+    /// has ½ε λ² for its cost and violates by what ελ leaves of it; its multiplier
+    /// moves along with the step.
+    pub(super) fn merit(&self, point: &Point<C, NX, NU>, amount: f64) -> f64 {
+        let mut merit = point.cost + self.merit_penalty * point.total_violation();
         if C::SUM_ROWS {
-            merit + point.compliant_energy()
-        } else {
-            merit
+            for (index, sum) in point.sums.iter().enumerate() {
+                if sum.row.compliance > 0.0 {
+                    let multiplier = self.multiplier_after(index, amount);
+                    merit += 0.5 * sum.row.compliance * multiplier * multiplier;
+                    merit += self.merit_penalty * sum.violation(multiplier).max(0.0);
+                }
+            }
         }
+        merit
+    }
+
+    /// The multiplier of a summed row after a part of the step.
+    fn multiplier_after(&self, sum: usize, amount: f64) -> f64 {
+        let row = self.point.rows.len() + sum;
+        let (before, after) = (self.multipliers[row], self.set.multipliers[row]);
+        before + amount * (after - before)
     }
 
     /// Looks for an acceptable point along the subproblem's step.
@@ -40,7 +54,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         }
         self.merit_penalty = self.merit_penalty.max(1.5 * most).min(bound);
         let slope = self.slope();
-        let start = self.merit(&self.point);
+        let start = self.merit(&self.point, 0.0);
         let size = self.point.cost.abs() + self.point.stages.len() as f64;
         let slack = ROUNDING * (size + self.merit_penalty * chain.row_scale());
         let longest = longest(&self.set.du);
@@ -51,7 +65,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         while amount * longest > 1e-14 || amount == 1.0 {
             self.place_trial(amount);
             self.trial.evaluate(chain);
-            let merit = self.merit(&self.trial);
+            let merit = self.merit(&self.trial, amount);
             let enough = start + SUFFICIENT * amount * slope + slack;
             if merit.is_finite() && merit <= enough {
                 if self.clear(chain) {
@@ -65,7 +79,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
                 }
             } else if self.has_correction {
                 self.follow_arc(chain, amount);
-                let merit = self.merit(&self.trial);
+                let merit = self.merit(&self.trial, amount);
                 if merit.is_finite() && merit <= enough {
                     if self.clear(chain) {
                         return self.take(amount, longest);
@@ -93,14 +107,13 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
             slope += stages.map(|(s, d)| s.cost_by_state.dot(d)).sum::<f64>();
         }
         if C::SUM_ROWS {
-            for sum in &self.point.sums {
-                let change = sum.change(&self.set.du);
-                slope += if sum.row.compliance > 0.0 {
-                    -(-sum.value).max(0.0) * change / sum.row.compliance
-                } else {
-                    let after = (-(sum.value + change)).max(0.0);
-                    self.merit_penalty * (after - (-sum.value).max(0.0))
-                };
+            for (index, sum) in self.point.sums.iter().enumerate() {
+                let [before, after] = [0.0, 1.0].map(|at| self.multiplier_after(index, at));
+                let compliance = sum.row.compliance;
+                slope += compliance * before * (after - before);
+                let left = sum.violation(after) - sum.change(&self.set.du);
+                let change = left.max(0.0) - sum.violation(before).max(0.0);
+                slope += self.merit_penalty * change;
             }
         }
         slope.min(0.0)
@@ -132,7 +145,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
             });
         self.place_trial(1.0);
         self.trial.evaluate(chain);
-        let merit = self.merit(&self.trial);
+        let merit = self.merit(&self.trial, 1.0);
         if merit.is_finite() && merit <= enough && self.clear(chain) {
             return true;
         }
@@ -167,6 +180,14 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
             if self.short == SHORT_STEPS {
                 self.short = 0;
                 self.shift = self.shift.max(FIRST_SHIFT);
+            }
+        }
+        if C::SUM_ROWS {
+            for index in 0..self.point.sums.len() {
+                if self.point.sums[index].row.compliance > 0.0 {
+                    let row = self.point.rows.len() + index;
+                    self.set.multipliers[row] = self.multiplier_after(index, amount);
+                }
             }
         }
         std::mem::swap(&mut self.multipliers, &mut self.set.multipliers);
