@@ -215,17 +215,19 @@ impl<const NX: usize, const NU: usize> Riccati<NX, NU> {
         Ok(negative)
     }
 
-    /// Factors H stiffened by the sums of a point that `holds` names, by their places:
-    /// by each only where it would be negative without, and no more than that takes.
+    /// Factors H + `shift` · I stiffened by the sums of a point that `holds` names, by
+    /// their places: by each only where it would be negative without, and no more than
+    /// that takes.
     pub(super) fn factor_stiffened<C: Chain<NX, NU>>(
         &mut self,
         point: &Point<C, NX, NU>,
         hessian: &Hessian<NX, NU>,
-        least_pivot: f64,
+        (shift, least_pivot): (f64, f64),
         holds: impl Fn(usize) -> bool,
     ) -> Result<(), NotPositive> {
         let held = (0..point.sums.len()).filter(|sum| holds(*sum)).count();
-        let mut negative = self.factor_signed(&point.stages, hessian, (0.0, least_pivot), held)?;
+        let mut negative =
+            self.factor_signed(&point.stages, hessian, (shift, least_pivot), held)?;
         for (sum, row) in point.sums.iter().enumerate() {
             if negative == 0 {
                 break;

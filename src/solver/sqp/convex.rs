@@ -8,7 +8,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
     /// Factors the Hessian, stiffened by the active rows if that is what it
     /// takes; returns the stiffness, and whether that was enough.
     pub(super) fn factor_exact(&mut self, chain: &C) -> (f64, Result<(), NotPositive>) {
-        let mut outcome = self.try_held();
+        let mut outcome = self.try_held(0.0);
         let mut before = 0.0;
         let bound = self.penalty(chain);
         // The curvature to outweigh is that of λ ∇²g.
@@ -27,16 +27,16 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
                     }
                 }
                 before = stiffness;
-                outcome = self.try_held();
+                outcome = self.try_held(0.0);
             }
         }
         (before, outcome)
     }
 
-    /// Factors the Hessian as it is or, where that is not positive, stiffened by the
-    /// summed rows in the set.
-    fn try_held(&mut self) -> Result<(), NotPositive> {
-        let outcome = self.try_factor(0.0);
+    /// Factors the Hessian with a shift or, where that is not positive, stiffened by the
+    /// summed rows in the set too.
+    fn try_held(&mut self, shift: f64) -> Result<(), NotPositive> {
+        let outcome = self.try_factor(shift);
         if !C::SUM_ROWS || outcome.is_ok() {
             return outcome;
         }
@@ -48,10 +48,10 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         let (point, hessian) = (&self.point, &self.hessian);
         let held = self
             .riccati
-            .factor_stiffened(point, hessian, LEAST_PIVOT, is_held);
+            .factor_stiffened(point, hessian, (shift, LEAST_PIVOT), is_held);
         if held.is_err() {
             // Where it stopped is where the way down is.
-            return self.try_factor(0.0);
+            return self.try_factor(shift);
         }
         held
     }
@@ -75,7 +75,7 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         // the curvature across the held rows too, and slow down the slide along
         // them that leads away from a fold.
         let mut shift = self.shift.max(LEAST_SHIFT);
-        while self.try_factor(shift).is_err() && shift < 1e15 {
+        while self.try_held(shift).is_err() && shift < 1e15 {
             shift *= MORE_SHIFT;
         }
         if let Some(last) = self.trace.last_mut() {
