@@ -4,13 +4,27 @@
 mod random_scene;
 
 use proptest::prelude::*;
-use random_scene::{config, scaled_scene, scene};
+use random_scene::{config, scaled_scene, scene, sliding_scene};
 use sinew::equilibrium::{Occurrence, Run, Settings, Solved, Start, Status, solve};
-use sinew::mechanics::Problem;
+use sinew::mechanics::{Input, Problem};
 use sinew::scene::{Candidates, Scene};
 
 fn straight(problem: &Problem) -> Solved {
     solve(problem, Start::Straight, Settings::default())
+}
+
+/// The problem of a solution with its pull for a load, or its load for a pull.
+fn switched(solved: &Solved) -> Problem {
+    let mut problem = solved.problem().clone();
+    let mut drive = problem.drive().clone();
+    let state = solved.cables[0];
+    let per_bend = drive.stiffness.unwrap() / (2.0 * problem.robot().segment_length());
+    drive.cables[0].input = match drive.cables[0].input {
+        Input::Pull(_) => Input::Load(per_bend * state.tension),
+        Input::Load(_) => Input::Pull(state.pull),
+    };
+    problem.set_drive(&drive);
+    problem
 }
 
 /// What holds of every run, whatever came of it.
@@ -39,7 +53,7 @@ fn check(scene: &Scene) -> Result<(), TestCaseError> {
         solution.certificate
     );
     if solution.status == Status::Converged {
-        prop_assert!(solution.pull == problem.pull());
+        prop_assert!(&solution.drive == problem.drive());
     } else if matches!(solution.status, Status::BranchEnded { .. }) {
         let ended = |event: &sinew::equilibrium::Event| {
             matches!(event.what, Occurrence::BranchEnded { .. })
@@ -76,7 +90,46 @@ proptest! {
 }
 
 proptest! {
+    #![proptest_config(config(1000))]
+
+    #[test]
+    fn nodes_of_sliding_cables_among_anything(scene in sliding_scene(Candidates::Nodes)) {
+        check(&scene)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(config(600))]
+
+    #[test]
+    fn bodies_with_sliding_cables_among_anything(scene in sliding_scene(Candidates::Body)) {
+        check(&scene)?;
+    }
+}
+
+proptest! {
     #![proptest_config(config(200))]
+
+    /// Another input of the same value changes nothing: a load that is the tension of a
+    /// pull holds the same shape, where it is stable under it.
+    #[test]
+    fn a_load_of_the_tension_holds_the_shape_of_a_pull(scene in sliding_scene(Candidates::Nodes)) {
+        if let Ok(problem) = Problem::new(&scene) {
+            let mut run = Run::new(&problem, Start::Straight, Settings::default());
+            run.finish();
+            let before = run.solved();
+            let switched = switched(&before);
+            run.retarget(&switched);
+            run.finish();
+            let after = run.solved();
+            prop_assert!(after.certificate.holds());
+            if after.events.is_empty() && after.status == Status::Converged {
+                for (a, b) in before.bends.iter().zip(&after.bends) {
+                    prop_assert!((a - b).abs() < 1e-7, "{a} {b}");
+                }
+            }
+        }
+    }
 
     /// A scene twice as large has a shape twice as large.
     #[test]

@@ -2,7 +2,7 @@
 //! can be solved; all of them must end in a status.
 
 use proptest::prelude::*;
-use sinew::scene::{Candidates, Scene, Shape};
+use sinew::scene::{Candidates, Drive, Mechanics, Scene, Shape};
 
 /// One obstacle near a robot of length 1, in shares of its length.
 fn shape() -> impl Strategy<Value = Shape> {
@@ -135,6 +135,28 @@ pub fn scene(candidates: Candidates) -> impl Strategy<Value = Scene> {
             .into_iter()
             .map(|shape| scaled(shape, length).into())
             .collect();
+        scene
+    })
+}
+
+/// The same robot with a cable that slides, straight over one to three segments, under a
+/// pull or under the load that bends a free robot by as much.
+#[allow(
+    dead_code,
+    reason = "not every test that makes scenes lets cables slide"
+)]
+pub fn sliding_scene(candidates: Candidates) -> impl Strategy<Value = Scene> {
+    (scene(candidates), 1..=3u32, any::<bool>()).prop_map(|(mut scene, bay, loaded)| {
+        scene.model.mechanics = Mechanics::Sliding;
+        scene.robot.segments_per_bay = bay;
+        scene.robot.segments = bay * scene.robot.segments.div_ceil(bay);
+        let (length, offset, pull) = (scene.robot.length_mm, scene.offset_mm(), scene.pull_mm());
+        let stiffness = 0.25 * length * length;
+        scene.robot.bending_stiffness_nmm2 = Some(stiffness);
+        if loaded {
+            let newtons = pull.max(0.0) * stiffness / (offset * offset * length);
+            scene.set_drive(0, Drive::LoadG(newtons / 9.80665e-3));
+        }
         scene
     })
 }
