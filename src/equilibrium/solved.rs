@@ -3,7 +3,7 @@
 use super::solution::Solution;
 use crate::contact::Clearance;
 use crate::geometry::Vector;
-use crate::mechanics::Problem;
+use crate::mechanics::{Found, Model, Problem, rests_under_load};
 use std::ops::Deref;
 
 /// A solution that holds the problem it belongs to, so that nobody reads it
@@ -72,6 +72,22 @@ impl Solved {
     pub fn clearances(&self) -> Vec<Clearance> {
         let around = self.problem.around();
         around.clearances(&self.solution.nodes, &self.solution.contacts)
+    }
+
+    /// Whether a robot with sliding cables would rest in this shape, too, if weights
+    /// held its cables' tensions and nothing their lengths: a shape that is stable
+    /// under pulls may snap away under loads. `None` of the paper's model, and
+    /// without a shape.
+    pub fn rests_under_load(&self) -> Option<bool> {
+        if self.problem.model() != Model::Sliding || self.nodes.is_empty() {
+            return None;
+        }
+        let found = Found {
+            nodes: &self.nodes[..],
+            contacts: &self.contacts,
+            cables: &self.cables,
+        };
+        Some(rests_under_load(&self.problem, found))
     }
 
     /// The cable points, in metres, base first; n + 1.

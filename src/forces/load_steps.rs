@@ -38,7 +38,7 @@ pub struct LoadSteps {
     pub end: Option<SweepError>,
 }
 
-/// Steps of the pull, over the cable offset: the runs' own.
+/// Steps of the pull, over the greatest cable offset: the runs' own.
 const STEP: f64 = 1.0 / 16.0;
 /// Pulls are found to this, over the backbone's length: 2 nm on the paper's
 /// robot, where a tension of a hundred grams changes by less than 1e-4 g.
@@ -56,8 +56,8 @@ fn presses(state: &Solved) -> bool {
 /// The state a step on along the pull, or the last one before it with the
 /// reason why there is none after that.
 fn stepped(state: &Solved) -> (Solved, Option<SweepError>) {
-    let robot = state.problem().robot();
-    let (_, most) = robot.pull_range();
+    let problem = state.problem();
+    let (_, most) = problem.pull_range();
     let pull = state.pull;
     if pull >= most {
         // All segments are alike.
@@ -65,7 +65,10 @@ fn stepped(state: &Solved) -> (Solved, Option<SweepError>) {
         let status = Status::BranchEnded { reason, segment };
         return (state.clone(), Some(SweepError::NotReached { pull, status }));
     }
-    let there = solved(state, (pull + STEP * robot.offset).min(most));
+    let there = solved(
+        state,
+        (pull + STEP * problem.drive().pull_scale()).min(most),
+    );
     let end = fault(&there);
     match end {
         Some(_) if !there.certificate.holds() => (state.clone(), end),
@@ -87,10 +90,11 @@ fn fault(state: &Solved) -> Option<SweepError> {
 }
 
 impl LoadSteps {
-    /// The states under loads, in N, at a stiffness: for each the first pull,
-    /// from contact on, at which the cable's tension is the load's. A robot that
-    /// meets nothing within a full turn is loaded from its straight shape on.
-    /// Where its branch ends, the loads after that are left out.
+    /// The states under loads on the first cable, in N, at a stiffness: for each the
+    /// first pull, from contact on, at which the cable's tension is the load's. A
+    /// robot that meets nothing within a full turn is loaded from its straight shape
+    /// on. What else is given, other cables' inputs and dead loads, acts from the
+    /// start. Where its branch ends, the loads after that are left out.
     ///
     /// # Errors
     /// If the straight robot cannot be solved for.
@@ -151,7 +155,7 @@ fn first_contact(straight: &Solved) -> Option<Solved> {
         return Some(here);
     }
     let problem = straight.problem();
-    let turn = TAU * problem.robot().offset;
+    let turn = TAU * problem.drive().pull_scale();
     while !problem.obstacles().is_empty() && here.pull < turn {
         let (next, ended) = stepped(&here);
         if presses(&next) {

@@ -1,43 +1,42 @@
-//! The links' forces by the method of sections, from the shape and the contact
-//! forces alone. It reads no multiplier of a link, so that it checks those of
-//! the [certificate](crate::mechanics::Certificate) too.
+//! What a cut through the robot transmits, by the method of sections: from the
+//! shape, the contact forces and the loads alone. It reads no multiplier of a
+//! link, so that it checks those of the
+//! [certificate](crate::mechanics::Certificate) too.
 //!
-//! Cut through segment i and look at what is above: the contact forces there,
-//! the cable link's pull T_i, the backbone link's thrust N_i and the couple C_i
-//! of the bend balance,
-//!
-//! ```text
-//! Σ f_j + N_i b_i − T_i k_i = 0
-//! Σ (q_j − p_i) × f_j + C_i − (c_i − p_i) × T_i k_i = 0      C_i = (EI/l_0) β_i
-//! ```
-//!
-//! with b_i, k_i the links' directions towards the tip. The second equation
-//! gives T_i, the first along b_i gives N_i. The first across b_i has no
-//! unknown left: what it leaves is the section's residual, zero only at an
-//! equilibrium. (Both forces from the first alone would fail: the links are
-//! parallel where nothing touches.)
-//!
-//! The links transmit forces along themselves only. A contact inside a link
-//! is shared by its two ends by the rule of the lever.
+//! A contact inside a link, or on a straight stretch of cable, is shared by its
+//! two ends by the rule of the lever.
+
+mod links;
+mod stretches;
 
 use super::statics::Resultant;
 use crate::contact::Contact;
 use crate::equilibrium::Solved;
-use crate::geometry::{Vector, cross, perpendicular};
-use crate::mechanics::Problem;
+use crate::geometry::Vector;
+use crate::math::greatest;
+use crate::mechanics::{Model, Problem};
 use crate::robot::{Element, PlanarNode};
 
 /// What a cut through one segment transmits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Section {
-    /// T_i, the tension of the cable link, in N.
+    /// T_i, the tension of the cable link; of several cables that slide the sum
+    /// of those that run through it. In N.
     pub cable: f64,
-    /// N_i, the thrust of the backbone link, in N: positive where pressed.
+    /// N_i, the thrust of the backbone, in N, along its link or, of an arc, along
+    /// its middle: positive where pressed.
     pub backbone: f64,
+    /// The shear of an arc, in N: what what is below exerts across its middle,
+    /// positive away from the disks' direction. Links have none.
+    pub shear: f64,
     /// C_i, the couple of the bend on what is above, counterclockwise, in N·m.
     pub couple: f64,
-    /// What the balance of forces across the backbone link leaves, in N.
+    /// What the balance of forces across the backbone link leaves, in N; an arc
+    /// holds any force.
     pub residual: f64,
+    /// What the balance of moments about the arc's centroid leaves, in N·m; the
+    /// cable link's tension is found from it.
+    pub moment_residual: f64,
 }
 
 /// The sections of all segments, and what the base has to hold.
@@ -45,10 +44,13 @@ pub struct Section {
 pub struct Sections {
     /// By segment, base first; n.
     pub sections: Vec<Section>,
+    /// The tensions of every cable, in N, base first: of each stretch from disk to
+    /// disk or, in the paper's model, of each link.
+    pub tensions: Vec<Vec<f64>>,
     /// What the mount of the first disk exerts on the robot.
     pub clamp: Resultant,
-    /// What the cable below the first disk exerts on the robot, where its
-    /// first link starts.
+    /// What the cables below the first disk exert on the robot, where their
+    /// first stretches start.
     pub cable: Resultant,
 }
 
@@ -61,89 +63,52 @@ struct Load {
 
 impl Sections {
     /// The sections of a shape. `per_bend` is EI/2l_0, in N·m; with 1, forces
-    /// come in rad²/m, the unit of multipliers.
+    /// come in rad²/m, the unit of multipliers. Where loads are given in newtons,
+    /// they count as such at the stiffness of the robot's own, and grow with any
+    /// other: the shape is an equilibrium under these.
     pub fn of(solved: &Solved, per_bend: f64) -> Self {
-        let (problem, solution) = (solved.problem(), solved.solution());
-        let nodes = &solution.nodes;
-        let offset = problem.robot().offset;
-        let mut loads: Vec<Load> = Vec::new();
-        for contact in &solution.contacts {
-            share(problem, nodes, contact, per_bend, &mut loads);
-        }
-        // From tip to base; stable, so that sums do not depend on luck.
-        loads.sort_by_key(|load| std::cmp::Reverse(load.node));
-        let mut above = loads.iter().peekable();
-        let (mut force, mut moment) = (Vector::zeros(), 0.0);
-        let origin = nodes[0].position;
-        let mut sections = vec![Section::default(); nodes.len() - 1];
-        for i in (1..nodes.len()).rev() {
-            while let Some(load) = above.next_if(|load| load.node >= i) {
-                force += load.force;
-                moment += cross(load.at - origin, load.force);
-            }
-            let backbone = (nodes[i].position - nodes[i - 1].position).normalize();
-            let cable = (nodes[i].at(offset) - nodes[i - 1].at(offset)).normalize();
-            let about_node = moment - cross(nodes[i].position - origin, force);
-            let couple = 2.0 * per_bend * solution.bends[i - 1];
-            let tension = (about_node + couple) / cross(offset * nodes[i].disk, cable);
-            let left = tension * cable - force;
-            sections[i - 1] = Section {
-                cable: tension,
-                backbone: left.dot(&backbone),
-                couple,
-                residual: left.dot(&perpendicular(backbone)).abs(),
-            };
-        }
-        let (clamp, cable) = at_base(problem, nodes, &sections[0], above);
-        Self {
-            sections,
-            clamp,
-            cable,
+        match solved.problem().model() {
+            Model::Equal => links::sections(solved, per_bend),
+            Model::Sliding => stretches::sections(solved, per_bend),
         }
     }
 
     /// The greatest residual of a section, in N.
     pub fn residual(&self) -> f64 {
-        self.sections
-            .iter()
-            .map(|section| section.residual)
-            .fold(0.0, f64::max)
+        greatest_of(&self.sections, |section| section.residual)
     }
 
-    /// The mean tension of the cable links, in N: what does the work when the
-    /// pull grows, since every link gives 1/n of it.
+    /// The greatest residual of a section's moments, in N·m.
+    pub fn moment_residual(&self) -> f64 {
+        greatest_of(&self.sections, |section| section.moment_residual)
+    }
+
+    /// The mean tension of the first cable, in N. Of the paper's it is what does the
+    /// work when the pull grows, since every link gives 1/n of it.
     pub fn mean_tension(&self) -> f64 {
-        let sum: f64 = self.sections.iter().map(|section| section.cable).sum();
-        sum / self.sections.len() as f64
+        let tensions = &self.tensions[0];
+        tensions.iter().sum::<f64>() / tensions.len() as f64
     }
 }
 
-/// The mount's and the cable's resultants about the base, from the first
-/// section and what touches the first disk itself.
-fn at_base<'a>(
-    problem: &Problem,
-    nodes: &[PlanarNode],
-    first: &Section,
-    on_base: impl Iterator<Item = &'a Load>,
-) -> (Resultant, Resultant) {
-    let offset = problem.robot().offset;
-    let base = nodes[0];
-    let backbone = (nodes[1].position - base.position).normalize();
-    let cable = (nodes[1].at(offset) - base.at(offset)).normalize();
-    let mut clamp = Resultant {
-        force: first.backbone * backbone,
-        moment: first.couple,
-    };
-    for load in on_base {
-        clamp.force -= load.force;
-        clamp.moment -= cross(load.at - base.position, load.force);
+fn greatest_of(sections: &[Section], of: impl Fn(&Section) -> f64) -> f64 {
+    sections.iter().map(of).fold(0.0, greatest)
+}
+
+/// The forces of contacts on the nodes that carry them, from tip to base; in a stable
+/// order, so that sums do not depend on luck.
+fn carried(solved: &Solved, per_bend: f64) -> Vec<Load> {
+    let (problem, solution) = (solved.problem(), solved.solution());
+    let mut loads: Vec<Load> = Vec::new();
+    for contact in &solution.contacts {
+        share(problem, &solution.nodes, contact, per_bend, &mut loads);
     }
-    let pulled = -first.cable * cable;
-    let cable = Resultant {
-        force: pulled,
-        moment: cross(offset * base.disk, pulled),
-    };
-    (clamp, cable)
+    sort_from_tip(&mut loads);
+    loads
+}
+
+fn sort_from_tip(loads: &mut [Load]) {
+    loads.sort_by_key(|load| std::cmp::Reverse(load.node));
 }
 
 /// A contact's force on the nodes that carry it.

@@ -9,10 +9,10 @@
 //! T   = (EI/2l_0) dJ/dl        the cable's tension (envelope theorem)
 //! ```
 //!
-//! so that F_i/T is free of EI. The model shortens every cable segment equally,
-//! as if the cable were held in every disk: the links' tensions differ along
-//! the robot ([`super::Section::cable`]), and T, which does the work, is their
-//! mean.
+//! so that F_i/T is free of EI. A cable that slides has one tension all along. The
+//! paper's model shortens every cable segment equally, as if the cable were held in
+//! every disk: the links' tensions differ along the robot ([`Statics::tensions`]),
+//! and T, which does the work, is their mean.
 //!
 //! Differs from the paper: it reads forces off virtual work only
 //! ([`super::VirtualWork`]) and uses multipliers just to find the contacts.
@@ -22,6 +22,7 @@ use super::stiffness::Stiffness;
 use crate::contact::Contact;
 use crate::equilibrium::{Solution, Solved};
 use crate::geometry::{Vector, cross};
+use crate::math::greatest;
 
 /// A force and a couple: what a set of forces amounts to, about the base node.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +31,15 @@ pub struct Resultant {
     pub force: Vector,
     /// The moment about the base node, counterclockwise, in N·m.
     pub moment: f64,
+}
+
+impl Default for Resultant {
+    fn default() -> Self {
+        Self {
+            force: Vector::zeros(),
+            moment: 0.0,
+        }
+    }
 }
 
 /// A contact with its force.
@@ -48,23 +58,28 @@ pub struct ContactForce {
 pub struct Statics {
     /// By contact, in the solution's order.
     pub contacts: Vec<ContactForce>,
-    /// T, the cable's tension, in N; negative where the cable would have to
-    /// push, as it does at a negative pull.
+    /// T, the first cable's tension, in N; in the paper's model negative where the
+    /// cable would have to push, as it does at a negative pull.
     pub tension: f64,
+    /// The tensions of every cable, in N, base first: of each stretch from disk to
+    /// disk or, in the paper's model, of each link.
+    pub tensions: Vec<Vec<f64>>,
     /// What the contacts exert on the robot, all together.
     pub pressed: Resultant,
     /// What the mount of the first disk exerts on the robot: the paper's R_x,
     /// R_y and M_r.
     pub clamp: Resultant,
-    /// What the cable below the first disk exerts on the robot.
+    /// What the cables below the first disk exert on the robot.
     pub cable: Resultant,
+    /// What weight, and force and moment on the tip, amount to.
+    pub loads: Resultant,
     /// By segment, base first: what a cut through it transmits; n.
     pub sections: Vec<Section>,
     /// What is left of the sum of all forces, and of every section's, relative
     /// to the largest force.
     pub unbalanced_force: f64,
-    /// What is left of the sum of all moments about the base, relative to the
-    /// largest moment.
+    /// What is left of the sum of all moments about the base, and of every
+    /// section's, relative to the largest moment.
     pub unbalanced_moment: f64,
 }
 
@@ -78,10 +93,7 @@ impl Statics {
         let per_bend = stiffness.per_bend(solved.problem());
         let sections = Sections::of(solved, per_bend);
         let base = solved.nodes[0].position;
-        let mut pressed = Resultant {
-            force: Vector::zeros(),
-            moment: 0.0,
-        };
+        let mut pressed = Resultant::default();
         let contacts: Vec<ContactForce> = solved
             .contacts
             .iter()
@@ -104,21 +116,24 @@ impl Statics {
             largest = largest.max(force.normal_force);
             largest_moment = largest_moment.max(moment.abs());
         }
-        let (clamp, cable) = (sections.clamp, sections.cable);
-        for resultant in [clamp, cable] {
+        let (clamp, cable, loads) = (sections.clamp, sections.cable, loads(solved, per_bend));
+        for resultant in [clamp, cable, loads] {
             largest = largest.max(resultant.force.norm());
             largest_moment = largest_moment.max(resultant.moment.abs());
         }
-        let force = (pressed.force + clamp.force + cable.force).norm();
-        let moment = (pressed.moment + clamp.moment + cable.moment).abs();
+        let force = (pressed.force + clamp.force + cable.force + loads.force).norm();
+        let moment = (pressed.moment + clamp.moment + cable.moment + loads.moment).abs();
+        let moment = greatest(moment, sections.moment_residual());
         Self {
             contacts,
             tension: per_bend * solved.energy_slope(),
             pressed,
             clamp,
             cable,
-            unbalanced_force: relative(force.max(sections.residual()), largest),
+            loads,
+            unbalanced_force: relative(greatest(force, sections.residual()), largest),
             unbalanced_moment: relative(moment, largest_moment),
+            tensions: sections.tensions,
             sections: sections.sections,
         }
     }
@@ -126,12 +141,43 @@ impl Statics {
     /// Whether forces and moments sum to zero, to [`Statics::BOUND`] of the
     /// largest.
     pub fn balances(&self) -> bool {
-        self.unbalanced_force.max(self.unbalanced_moment) <= Self::BOUND
+        greatest(self.unbalanced_force, self.unbalanced_moment) <= Self::BOUND
     }
 }
 
-/// F/T of a contact, a pure number, which needs no stiffness; `None` where the cable carries
-/// no tension.
+/// What the dead loads amount to, in the unit that `per_bend` gives forces.
+fn loads(solved: &Solved, per_bend: f64) -> Resultant {
+    let problem = solved.problem();
+    let (robot, drive) = (problem.robot(), problem.drive());
+    let mut sum = Resultant::default();
+    let Some(stiffness) = drive.stiffness.filter(|_| drive.loads.any()) else {
+        return sum;
+    };
+    let scale = per_bend * 2.0 * robot.segment_length() / stiffness;
+    let given = &drive.loads;
+    let base = solved.nodes[0].position;
+    let mut add = |at: Vector, force: Vector| {
+        sum.force += scale * force;
+        sum.moment += scale * cross(at - base, force);
+    };
+    add(solved.tip().position, given.tip_force);
+    let disks = solved.nodes.iter().skip(1);
+    for node in disks
+        .skip(robot.segments_per_bay - 1)
+        .step_by(robot.segments_per_bay)
+    {
+        add(node.position, given.disk);
+    }
+    for ends in solved.nodes.windows(2) {
+        let middle = 0.5 * (ends[0].position + ends[1].position);
+        add(middle, given.backbone / robot.segments as f64);
+    }
+    sum.moment -= scale * given.tip_moment;
+    sum
+}
+
+/// F/T of a contact, a pure number, which needs no stiffness; `None` where the first cable
+/// carries no tension.
 pub fn share_of_tension(solution: &Solution, contact: &Contact) -> Option<f64> {
     let slope = solution.energy_slope();
     (slope != 0.0).then(|| contact.multiplier / slope)

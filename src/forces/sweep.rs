@@ -2,7 +2,7 @@
 
 use crate::contact::Class;
 use crate::equilibrium::{Run, Settings, Start, Status};
-use crate::mechanics::{FreeArc, Problem};
+use crate::mechanics::{FreeArc, Model, Problem};
 use crate::units::millimetres;
 
 /// A node of the robot at one pull.
@@ -86,7 +86,7 @@ impl Sweep {
         if node == 0 || node > last {
             return Err(SweepError::NoSuchNode { node, last });
         }
-        let (least, most) = problem.robot().pull_range();
+        let (least, most) = problem.pull_range();
         let mut target = problem.clone();
         let mut run: Option<Run> = None;
         let mut points = Vec::with_capacity(pulls.len());
@@ -124,27 +124,19 @@ impl Sweep {
     }
 
     /// The path of the tip without obstacles over these pulls, in metres, those
-    /// outside the linkage's range moved to its ends: an arc at every pull, so
-    /// that nothing is solved.
+    /// outside the range moved to its ends. In the paper's model it is an arc at
+    /// every pull, so that nothing is solved. A sliding robot that does not get to a
+    /// pull stays where it got to.
     pub fn free(problem: &Problem, pulls: &[f64]) -> Self {
-        let robot = problem.robot();
-        let (least, most) = robot.pull_range();
-        let points = pulls.iter().map(|&pull| {
-            let pull = pull.clamp(least, most);
-            let FreeArc { bend, tip } = robot.free_arc(pull);
-            SweepPoint {
-                pull,
-                x: tip.position.x,
-                y: tip.position.y,
-                angle: tip.angle,
-                // J = n β² with sin(β/2) = l/(2an).
-                energy_slope: 2.0 * bend / (robot.offset * libm::cos(0.5 * bend)),
-                pressing: 0,
-            }
-        });
+        let (least, most) = problem.pull_range();
+        let pulls = pulls.iter().map(|pull| pull.clamp(least, most));
+        let points = match problem.model() {
+            Model::Equal => pulls.map(|pull| free_arc(problem, pull)).collect(),
+            Model::Sliding => free_sliding(problem, pulls),
+        };
         Self {
-            points: points.collect(),
-            node: robot.segments,
+            points,
+            node: problem.robot().segments,
         }
     }
 
@@ -156,4 +148,40 @@ impl Sweep {
             .map(|k| first + (last - first) * k as f64 / steps as f64)
             .collect()
     }
+}
+
+fn free_arc(problem: &Problem, pull: f64) -> SweepPoint {
+    let robot = problem.robot();
+    let FreeArc { bend, tip } = robot.free_arc(pull);
+    SweepPoint {
+        pull,
+        x: tip.position.x,
+        y: tip.position.y,
+        angle: tip.angle,
+        // J = n β² with sin(β/2) = l/(2an).
+        energy_slope: 2.0 * bend / (robot.offset * libm::cos(0.5 * bend)),
+        pressing: 0,
+    }
+}
+
+fn free_sliding(problem: &Problem, pulls: impl Iterator<Item = f64>) -> Vec<SweepPoint> {
+    let mut free = problem.without_obstacles();
+    free.set_pull(0.0);
+    let mut run = Run::new(&free, Start::Straight, Settings::default());
+    run.finish();
+    let points = pulls.map(|pull| {
+        free.set_pull(pull);
+        run.retarget(&free);
+        let solution = run.finish();
+        let tip = solution.tip();
+        SweepPoint {
+            pull,
+            x: tip.position.x,
+            y: tip.position.y,
+            angle: tip.angle,
+            energy_slope: solution.energy_slope(),
+            pressing: 0,
+        }
+    });
+    points.collect()
 }

@@ -18,7 +18,7 @@ pub use condition::{Answers, Condition, ConditionKind};
 pub use drive::{Drive, DrivenCable, Input, Loads};
 pub use four_bar::{Bend, Certifier, Equal, FourBar, FreeArc, MOST_BEND, MOST_TURN};
 pub use problem::{Model, Problem};
-pub use sliding::Sliding;
+pub use sliding::{Sliding, rests_under_load};
 
 use crate::contact::Contact;
 use crate::robot::Nodes;

@@ -223,6 +223,13 @@ impl Problem {
         self.around.set_obstacle(index, obstacle);
     }
 
+    /// The same robot with nothing around it.
+    pub fn without_obstacles(&self) -> Self {
+        let candidates = self.candidates().to_vec();
+        let around = Surroundings::new(&self.robot, candidates, Vec::new());
+        Self::of(self.robot, self.model, self.drive.clone(), around)
+    }
+
     /// The problem moved as a whole by a vector.
     pub fn moved(&self, by: Vector) -> Self {
         let mut moved = self.clone();

@@ -244,6 +244,23 @@ impl Certifier {
     }
 }
 
+/// Whether a shape with sliding cables would rest, too, were the tension of every
+/// cable held, as a weight holds it, and not its length: whether it is a minimum then.
+pub fn rests_under_load(problem: &Problem, found: Found<'_, [PlanarNode]>) -> bool {
+    let mut problem = problem.clone();
+    let mut drive = problem.drive().clone();
+    // Where nothing is given in newtons, any stiffness does.
+    drive.stiffness.get_or_insert(1.0);
+    problem.set_drive(&drive);
+    let unit = Certifier::per_bend(&problem);
+    for (driven, state) in drive.cables.iter_mut().zip(found.cables) {
+        driven.input = Input::Load(unit * state.tension);
+    }
+    problem.set_drive(&drive);
+    let certificate = Certifier::default().certify(&Sliding::<1>::of(problem), found);
+    certificate.get(Condition::Minimum) == Some(1.0)
+}
+
 /// How far the centroid of an arc of unit length is from the middle of its chord, away
 /// from the side it bends to: (sinc(b/2) − cos(b/2))/b.
 fn bulge(bend: f64) -> f64 {

@@ -20,4 +20,5 @@ mod certifier;
 mod chain;
 mod stretch;
 
+pub use certifier::rests_under_load;
 pub use chain::Sliding;
