@@ -22,6 +22,7 @@ Exit codes: 0 solved, 1 no results, 2 bad input, 3 not converged.";
 const SOLVE_EXAMPLES: &str = "\
 Examples:
   sinew solve two-discs.toml --pull 5
+  sinew solve antagonists.toml --load 300 --cable 1
   sinew solve two-discs.toml --set robot.segments_per_bay=1 --set robot.disks=9
   sinew solve two-discs.toml --path 20                  a line for each pull
   sinew solve two-discs.toml --path 20 --format csv > path.csv
@@ -95,15 +96,41 @@ pub(super) struct Edits {
     pub set: Vec<String>,
 }
 
+/// What drives a cable, in the place of what the scene says.
+#[derive(Args, Default)]
+pub(super) struct Driving {
+    /// Draw in this much cable instead of what the scene says.
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, group = "drive")]
+    pub pull: Option<f64>,
+
+    /// Hang this weight on the cable, in grams, instead of what the scene says.
+    #[arg(long, value_name = "G", allow_hyphen_values = true, group = "drive")]
+    pub load: Option<f64>,
+
+    /// The cable that --pull or --load is about, from 0; to be given where the
+    /// scene has several.
+    #[arg(long, value_name = "K", requires = "drive")]
+    pub cable: Option<usize>,
+}
+
+impl Driving {
+    /// A pull of the one cable, if any.
+    pub fn of_pull(pull: Option<f64>) -> Self {
+        Self {
+            pull,
+            ..Self::default()
+        }
+    }
+}
+
 #[derive(Args)]
 #[command(after_help = SOLVE_EXAMPLES)]
 pub(super) struct Solve {
     /// The scene file, or - for standard input.
     pub scene: PathBuf,
 
-    /// Draw in this much cable instead of the scene's pull_mm.
-    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
-    pub pull: Option<f64>,
+    #[command(flatten)]
+    pub driving: Driving,
 
     /// How to print the result.
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -137,9 +164,8 @@ pub(super) struct Draw {
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 
-    /// Draw in this much cable instead of the scene's pull_mm.
-    #[arg(long, value_name = "MM", allow_hyphen_values = true)]
-    pub pull: Option<f64>,
+    #[command(flatten)]
+    pub driving: Driving,
 
     /// The colours. An SVG with auto follows its viewer; a PNG is light then.
     #[arg(long, value_enum, default_value_t = Look::Auto)]

@@ -3,7 +3,7 @@
 
 use std::io::{self, Write};
 
-use super::arguments::Check;
+use super::arguments::{Check, Driving};
 use super::output::{Labels, printable, reader};
 use super::progress::Progress;
 use super::solve::{RESOLUTION, finish};
@@ -21,7 +21,7 @@ use crate::units::millimetres;
 const NAMED: usize = 8;
 
 pub(super) fn run(what: &Check) -> Result<Outcome, Failure> {
-    let (scene, problem) = input::problem(&what.scene, &what.edits, None)?;
+    let (scene, problem) = input::problem(&what.scene, &what.edits, &Driving::default())?;
     // What `compare` would refuse is a fault, too.
     let measured = compare::held(&scene, &problem, &input::origin(&what.scene))?;
     let mut text = summary(&scene, &problem);

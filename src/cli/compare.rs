@@ -3,7 +3,7 @@
 use std::fs;
 use std::io::{self, BufWriter, Write};
 
-use super::arguments::{Compare, Format};
+use super::arguments::{Compare, Driving, Format};
 use super::input::{self, BadInput};
 use super::output::{csv_row, object, printable, pull_shown, reader};
 use super::progress::Progress;
@@ -27,7 +27,7 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
         let both = "the scene and the measured backbone cannot both be standard input";
         return Err(BadInput::Arguments(both.to_owned()).into());
     }
-    let (scene, problem) = input::problem(&what.scene, &what.edits, what.pull)?;
+    let (scene, problem) = input::problem(&what.scene, &what.edits, &Driving::of_pull(what.pull))?;
     let (measured, left_out) = match &what.measured {
         Some(path) => tables::measured(path, &problem)?,
         None => {

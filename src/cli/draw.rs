@@ -18,7 +18,7 @@ const SHARPNESS: f64 = 2.0;
 
 pub(super) fn run(what: &Draw) -> Result<Outcome, Failure> {
     let format = Format::of(&what.output)?;
-    let (scene, problem) = input::problem(&what.scene, &what.edits, what.pull)?;
+    let (scene, problem) = input::problem(&what.scene, &what.edits, &what.driving)?;
     let mut run = Run::new(&problem, Start::Straight, Settings::default());
     finish(&mut run, |_| {});
     let drawing = view::draw(&run.solved(), &Notes::of(&scene));

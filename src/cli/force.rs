@@ -3,7 +3,7 @@
 
 use std::io::{self, BufWriter, Write};
 
-use super::arguments::{Force, Format, Motion};
+use super::arguments::{Driving, Force, Format, Motion};
 use super::input::{self, BadInput};
 use super::output::{csv_row, object, printable, pull_shown, reader};
 use super::{Failure, Outcome, force_text, numbers};
@@ -27,7 +27,7 @@ use crate::units::{
 const PULLS: usize = 41;
 
 pub(super) fn run(what: &Force) -> Result<Outcome, Failure> {
-    let (scene, problem) = input::problem(&what.scene, &what.edits, None)?;
+    let (scene, problem) = input::problem(&what.scene, &what.edits, &Driving::default())?;
     let loads = numbers::loads("--loads", &what.loads)?;
     let found = estimate(what, &scene, &problem, &loads)?;
     let mut out = BufWriter::new(io::stdout().lock());

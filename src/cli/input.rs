@@ -6,10 +6,10 @@ use std::path::Path;
 
 use anyhow::bail;
 
-use super::arguments::Edits;
+use super::arguments::{Driving, Edits};
 use super::output::printable;
 use crate::mechanics::Problem;
-use crate::scene::{MAX_FILE_BYTES, Scene, SceneError};
+use crate::scene::{Drive, MAX_FILE_BYTES, Scene, SceneError};
 
 /// What a scene's file should be.
 const A_SCENE: &str = "a scene is a TOML text file";
@@ -45,11 +45,11 @@ impl BadInput {
 }
 
 /// The scene in a file and the problem it describes, after what is to be set in
-/// it, its pull replaced where another one is given.
+/// it, and what drives a cable replaced where that is given.
 pub(super) fn problem(
     path: &Path,
     edits: &Edits,
-    pull_mm: Option<f64>,
+    driving: &Driving,
 ) -> Result<(Scene, Problem), BadInput> {
     let origin = origin(path);
     let mut scene = bytes(path, A_SCENE)
@@ -58,15 +58,7 @@ pub(super) fn problem(
     for edit in &edits.set {
         set(&mut scene, edit)?;
     }
-    if let Some(pull_mm) = pull_mm {
-        if scene.cable_count() > 1 {
-            return Err(BadInput::Arguments(format!(
-                "--pull names no cable, and {origin} has {}; use --set cable[0].pull_mm={pull_mm}",
-                scene.cable_count()
-            )));
-        }
-        scene.set_pull_mm(pull_mm);
-    }
+    let driven = drive(&mut scene, driving, &origin)?;
     let mut faults = Problem::faults(&scene);
     if faults.is_empty() {
         match Problem::new(&scene) {
@@ -74,13 +66,47 @@ pub(super) fn problem(
             Err(fault) => faults.push(fault),
         }
     }
-    if pull_mm.is_some() {
-        let pull = scene.cable_field(0, "pull_mm");
+    if let Some((field, option)) = driven {
         for fault in &mut faults {
-            name_the_option(fault, &pull);
+            name_the_option(fault, &field, option);
         }
     }
     Err(BadInput::Faulty { origin, faults })
+}
+
+/// Sets what drives a cable, where that is given. Returns the scene's field for it and
+/// the option.
+fn drive(
+    scene: &mut Scene,
+    driving: &Driving,
+    origin: &str,
+) -> Result<Option<(String, &'static str)>, BadInput> {
+    let (drive, option) = match (driving.pull, driving.load) {
+        (Some(pull_mm), _) => (Drive::PullMm(pull_mm), "--pull"),
+        (None, Some(load_g)) => (Drive::LoadG(load_g), "--load"),
+        (None, None) => return Ok(None),
+    };
+    let count = scene.cable_count();
+    let refused = match (driving.cable, count) {
+        (_, 0) => return Ok(None),
+        (None, 2..) => format!(
+            "{option} names no cable, and {origin} has {count}; add --cable with 0 to {}",
+            count - 1
+        ),
+        (Some(cable), count) if cable >= count => match count {
+            1 => format!("--cable {cable} is not there; {origin} has one cable, 0"),
+            _ => format!(
+                "--cable {cable} is not there; {origin} has cables 0 to {}",
+                count - 1
+            ),
+        },
+        (cable, _) => {
+            let cable = cable.unwrap_or(0);
+            scene.set_drive(cable, drive);
+            return Ok(Some((scene.cable_field(cable, drive.key()), option)));
+        }
+    };
+    Err(BadInput::Arguments(refused))
 }
 
 /// Sets what `--set` was given.
@@ -97,12 +123,12 @@ fn set(scene: &mut Scene, edit: &str) -> Result<(), BadInput> {
         .map_err(|fault| BadInput::Arguments(format!("{option}: {fault}")))
 }
 
-/// A fault of the pull given on the command line names that, not the file.
-fn name_the_option(fault: &mut SceneError, pull: &str) {
+/// A fault of what was given on the command line names that, not the file.
+fn name_the_option(fault: &mut SceneError, given: &str, option: &str) {
     if let SceneError::NotANumber { field, .. } | SceneError::OutOfRange { field, .. } = fault
-        && field == pull
+        && field == given
     {
-        "--pull".clone_into(field);
+        option.clone_into(field);
     }
 }
 

@@ -4,7 +4,7 @@ use std::io::{self, BufWriter, Write};
 
 use super::arguments::{Format, Solve};
 use super::input::{self, BadInput};
-use super::output::{Labels, Output, Reader, pull_shown, reader};
+use super::output::{Labels, Output, Reader, driven_shown, reader};
 use super::progress::Progress;
 use super::{Failure, Outcome, timing};
 use crate::equilibrium::{self, Run, Settings, Start, Status};
@@ -25,7 +25,7 @@ pub(super) fn run(what: &Solve) -> Result<Outcome, Failure> {
         )
         .into());
     }
-    let (scene, problem) = input::problem(&what.scene, &what.edits, what.pull)?;
+    let (scene, problem) = input::problem(&what.scene, &what.edits, &what.driving)?;
     let out = BufWriter::new(io::stdout().lock());
     let mut output = Output::new(out, what.format, Labels::of(&scene, &problem));
     // Its range was checked with the scene's.
@@ -66,15 +66,18 @@ fn path<W: Write>(
     steps: u32,
     output: &mut Output<W>,
 ) -> Result<Outcome, Failure> {
+    let (slack, all) = (goal.drive().slackened(), goal.drive());
     let mut target = goal.clone();
-    target.set_pull(0.0);
+    let mut drive = slack.clone();
+    target.set_drive(&drive);
     let mut run = Run::new(&target, Start::Straight, Settings::default());
     let mut progress = Progress::new("solving", steps);
     let mut ended = Outcome::Done;
+    let share = |step: u32| f64::from(step) / f64::from(steps);
     for step in 0..=steps {
         if step > 0 {
-            let share = f64::from(step) / f64::from(steps);
-            target.set_pull(share * goal.pull());
+            drive.set_between(&slack, all, share(step));
+            target.set_drive(&drive);
             run.retarget(&target);
         }
         finish(&mut run, |_| progress.at(step));
@@ -82,6 +85,7 @@ fn path<W: Write>(
             ended = not_finite(&target);
             break;
         };
+        let state = state.on_the_way(share(step.saturating_sub(1)), share(step));
         let told = progress.aside(|| reader(output.path_state(&state)))?;
         ended = outcome(&run, &target);
         if matches!(
@@ -111,7 +115,8 @@ pub(super) fn outcome(run: &Run, problem: &Problem) -> Outcome {
     if solution.status == Status::Converged {
         return Outcome::Done;
     }
-    let (goal, reached) = (pull_shown(problem.pull()), pull_shown(solution.pull));
+    let goal = driven_shown(problem.drive());
+    let reached = driven_shown(&solution.drive);
     let not_there = if run.obstacles_are_placed() {
         ""
     } else {
@@ -123,15 +128,15 @@ pub(super) fn outcome(run: &Run, problem: &Problem) -> Outcome {
         "the last state, whose certificate does not hold"
     };
     Outcome::NotConverged(format!(
-        "not converged at pull {goal} mm: {}; {state}, at pull {reached} mm{not_there}, is printed",
+        "not converged at {goal}: {}; {state}, at {reached}{not_there}, is printed",
         solution.status.reason()
     ))
 }
 
 fn not_finite(goal: &Problem) -> Outcome {
     Outcome::NotConverged(format!(
-        "not converged at pull {} mm: the numbers of its shape are not finite, so that there is \
-         nothing to print",
-        pull_shown(goal.pull())
+        "not converged at {}: the numbers of its shape are not finite, so that there is nothing \
+         to print",
+        driven_shown(goal.drive())
     ))
 }

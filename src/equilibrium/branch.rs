@@ -30,7 +30,7 @@ use super::solution::Solution;
 use super::status::{EndReason, Status};
 use crate::contact::RowKind;
 use crate::geometry::Vector;
-use crate::mechanics::{Input, Mechanics, Problem};
+use crate::mechanics::{Drive, Input, Mechanics, Problem};
 use crate::solver::{
     Control, Outcome, Progress as SolveProgress, RowId, Settings as SolveSettings, Sqp, Tunnelling,
 };
@@ -277,6 +277,24 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         (before + self.at) / legs
     }
 
+    /// The share of the way that what drives the robot has gone, at a share of the
+    /// present leg.
+    fn drive_share(&self, at: f64) -> f64 {
+        if self.last_leg { at } else { 0.0 }
+    }
+
+    /// The share that it has gone by now, from 0 to 1.
+    pub fn driven_share(&self) -> f64 {
+        self.drive_share(self.at)
+    }
+
+    /// What drives the robot at a share of its way.
+    pub fn drive_at(&self, share: f64) -> Drive {
+        let mut drive = self.to.drive().clone();
+        drive.set_between(self.from.drive(), self.to.drive(), share);
+        drive
+    }
+
     /// Whether the obstacles are where the goal has them. They are not while
     /// those over the robot still grow, nor before the end of a drag.
     pub fn obstacles_are_placed(&self) -> bool {
@@ -328,6 +346,7 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         } else {
             self.solution.events.push(Event {
                 pull: self.goal.pull(),
+                share: 0.0,
                 load: self.goal.drive().load(),
                 what: Occurrence::StartRefused,
             });

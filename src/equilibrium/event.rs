@@ -14,6 +14,9 @@ pub struct Event {
     /// the end of its step. Jumps and ends are met with steps of 1e-5 of the
     /// robot's length.
     pub pull: f64,
+    /// The share of the way from what drove the robot at the run's start, nothing where
+    /// it was straight, to the goal's: 0 while obstacles over the straight robot grow.
+    pub share: f64,
     /// The load on the first cable, in newtons, where that and not its pull is given;
     /// the pull is then 0.
     pub load: Option<f64>,
@@ -60,7 +63,7 @@ pub enum Occurrence {
     BranchEnded {
         /// Why.
         reason: EndReason,
-        /// The segment, from 1, whose linkage turned most there.
+        /// The segment, from 1, that was most strained there.
         segment: usize,
     },
     /// The earlier shape that was to start from is no equilibrium of its own

@@ -3,7 +3,8 @@
 use super::branch::{Branch, Settings};
 use super::solution::Solution;
 use super::solved::Solved;
-use crate::mechanics::{Equal, Model, Problem, Sliding};
+use super::status::Status;
+use crate::mechanics::{Drive, Equal, Model, Problem, Sliding};
 
 /// What a run starts from.
 #[derive(Clone, Copy, Debug)]
@@ -143,6 +144,22 @@ impl Run {
     /// robot counts as the first half.
     pub fn share(&self) -> f64 {
         each!(&self.0, run => run.share())
+    }
+
+    /// The share of the way from what drove the robot at first, nothing where it was
+    /// straight, to what the goal asks for, that the solution has reached: 1 at the
+    /// goal.
+    pub fn driven_share(&self) -> f64 {
+        match self.solution().status {
+            Status::Converged => 1.0,
+            _ => each!(&self.0, run => run.driven_share()),
+        }
+    }
+
+    /// What is given of the cables at a share of that way: every input and load in
+    /// proportion.
+    pub fn drive_at(&self, share: f64) -> Drive {
+        each!(&self.0, run => run.drive_at(share))
     }
 
     /// Whether the obstacles are where the goal has them. They are not while

@@ -90,9 +90,47 @@ impl Solved {
         Some(rests_under_load(&self.problem, found))
     }
 
-    /// The cable points, in metres, base first; n + 1.
+    /// The points of the first cable at the nodes, in metres, base first; n + 1, or as
+    /// far as it goes.
     pub fn cable(&self) -> impl ExactSizeIterator<Item = Vector> + '_ {
-        self.solution.cable(self.problem.robot().offset)
+        self.cable_points(0).into_iter()
+    }
+
+    /// The points of a cable at the nodes, in metres, base first, as far as it goes:
+    /// in the paper's model at its offset beside every node, and of one that slides
+    /// its holes and, between disks, points of its straight stretches.
+    ///
+    /// # Panics
+    /// If there is no cable of this index.
+    pub fn cable_points(&self, index: usize) -> Vec<Vector> {
+        let cable = &self.problem.drive().cables[index].cable;
+        let bay = self.problem.robot().segments_per_bay;
+        let nodes = self.nodes.iter();
+        if self.problem.model() == Model::Equal {
+            return nodes.map(|node| node.at(cable.offset)).collect();
+        }
+        let beside = nodes.take(cable.last_disk * bay + 1).enumerate();
+        let beside = beside.map(|(i, node)| {
+            let (lower, part) = (i - i % bay, i % bay);
+            if part == 0 {
+                return node.at(cable.offset);
+            }
+            let hole = |node: usize| self.nodes[node].at(cable.offset);
+            let share = part as f64 / bay as f64;
+            (1.0 - share) * hole(lower) + share * hole(lower + bay)
+        });
+        beside.collect()
+    }
+
+    /// A cable's holes in the disks, in metres, base first.
+    ///
+    /// # Panics
+    /// If there is no cable of this index.
+    pub fn holes(&self, index: usize) -> Vec<Vector> {
+        let cable = &self.problem.drive().cables[index].cable;
+        let disks = self.nodes.iter().step_by(self.problem.robot().segments_per_bay);
+        let holes = disks.take(cable.last_disk + 1);
+        holes.map(|node| node.at(cable.offset)).collect()
     }
 
     /// The solution, without a copy.

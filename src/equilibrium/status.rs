@@ -10,7 +10,7 @@ pub enum Status {
     Converged,
     /// The run is not over, or was given up by its owner.
     Unfinished,
-    /// No shape of the linkage near the last good one avoids the obstacles.
+    /// No shape of the robot near the last good one avoids the obstacles.
     Infeasible {
         /// The contacts that cannot all be met.
         conflicts: Vec<Conflict>,
@@ -20,7 +20,7 @@ pub enum Status {
     BranchEnded {
         /// Why it ends.
         reason: EndReason,
-        /// The segment, from 1, whose linkage turned most there.
+        /// The segment, from 1, that was most strained there.
         segment: usize,
     },
     /// The allowed iterations are used up.
@@ -39,6 +39,9 @@ pub enum EndReason {
     Fold,
     /// Every way on leads through an obstacle.
     Blocked,
+    /// The disks at the inner side of a bend touch each other, or a segment of a robot
+    /// with sliding cables bends by a quarter turn.
+    DisksTouch,
 }
 
 impl EndReason {
@@ -48,6 +51,7 @@ impl EndReason {
             EndReason::LinkageLimit => "linkage_limit",
             EndReason::Fold => "fold",
             EndReason::Blocked => "blocked",
+            EndReason::DisksTouch => "disks_touch",
         }
     }
 }
@@ -94,7 +98,7 @@ impl Status {
                     })
                     .collect();
                 if list.is_empty() {
-                    "the linkage's own limits conflict with each other".to_owned()
+                    "what the robot's own parts allow conflicts with what drives it".to_owned()
                 } else {
                     format!(
                         "no shape near the last good one keeps clear of the obstacles; in \
@@ -108,6 +112,7 @@ impl Status {
                     EndReason::LinkageLimit => "its linkage is at the limit of its assembly",
                     EndReason::Fold => "the equilibrium folds back and the robot slips away",
                     EndReason::Blocked => "every way on leads through an obstacle",
+                    EndReason::DisksTouch => "its disks touch on the inner side of the bend",
                 };
                 format!("the branch ends at segment {segment}: {why}")
             }

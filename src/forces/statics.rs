@@ -90,7 +90,12 @@ impl Statics {
 
     /// The forces on a solution's shape with this stiffness.
     pub fn of(solved: &Solved, stiffness: Stiffness) -> Self {
-        let per_bend = stiffness.per_bend(solved.problem());
+        Self::of_scale(solved, stiffness.per_bend(solved.problem()))
+    }
+
+    /// The same with EI/2l_0 in N·m; with 1, forces come in rad²/m, the unit of
+    /// multipliers.
+    pub fn of_scale(solved: &Solved, per_bend: f64) -> Self {
         let sections = Sections::of(solved, per_bend);
         let base = solved.nodes[0].position;
         let mut pressed = Resultant::default();

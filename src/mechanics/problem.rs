@@ -19,6 +19,16 @@ pub enum Model {
     Sliding,
 }
 
+impl Model {
+    /// The model in one word, as in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Model::Equal => "equal",
+            Model::Sliding => "sliding",
+        }
+    }
+}
+
 /// A robot among obstacles and what drives it. Every value of it can be solved for
 /// or shown not to be solvable; none is malformed.
 ///

@@ -3,7 +3,6 @@
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use crate::mechanics::{self, Condition, ConditionKind};
-use crate::units::per_millimetre;
 
 /// The conditions of an equilibrium; see [`crate::mechanics::Certificate`]. In
 /// JSON what is left of each, without unit, then the greatest of that, and what
@@ -13,8 +12,6 @@ pub struct Certificate {
     pub conditions: Vec<(Condition, f64)>,
     /// The greatest of the residuals.
     pub residual: f64,
-    /// How the energy rises with the pull, in rad²/mm.
-    pub energy_slope: f64,
     /// Whether all of it holds.
     pub holds: bool,
 }
@@ -24,7 +21,6 @@ impl Certificate {
         Self {
             conditions: certificate.conditions().collect(),
             residual: certificate.residual(),
-            energy_slope: per_millimetre(certificate.energy_slope),
             holds: certificate.holds(),
         }
     }
@@ -32,7 +28,7 @@ impl Certificate {
     /// All its numbers.
     pub(super) fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
         let values = self.conditions.iter().map(|(_, value)| *value);
-        values.chain([self.residual, self.energy_slope])
+        values.chain([self.residual])
     }
 }
 
@@ -50,7 +46,6 @@ impl Serialize for Certificate {
                 map.serialize_entry(condition.key(), &condition.is_met(*value))?;
             }
         }
-        map.serialize_entry("energy_slope", &self.energy_slope)?;
         map.serialize_entry("holds", &self.holds)?;
         map.end()
     }
@@ -77,13 +72,12 @@ mod tests {
             ",\"complementarity\":",
             ",\"dual\":",
             ",\"residual\":",
-            ",\"orientation\":true,\"minimum\":true,\"energy_slope\":",
-            ",\"holds\":true}",
+            ",\"orientation\":true,\"minimum\":true,\"holds\":true}",
         ]
         .into_iter()
         .map(|key| json.find(key).unwrap())
         .collect();
         assert!(places.is_sorted(), "{json}");
-        assert_eq!(json.matches(':').count(), 10, "{json}");
+        assert_eq!(json.matches(':').count(), 9, "{json}");
     }
 }

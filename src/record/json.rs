@@ -9,7 +9,7 @@ use serde_json::Serializer;
 use serde_json::ser::{CompactFormatter, Formatter};
 
 /// What stands before the first state of a path.
-pub const PATH_START: &str = r#"{"schema":"sinew-path-1","states":["#;
+pub const PATH_START: &str = r#"{"schema":"sinew-path-2","states":["#;
 
 /// What stands after its last one.
 pub const PATH_END: &str = "]}";

@@ -15,12 +15,16 @@ pub mod json;
 pub mod nodes;
 pub mod path;
 
+mod cables;
 mod certificate;
 mod fit;
 mod solution;
+mod statics;
 mod timing;
 
+pub use cables::{Cable, Driven};
 pub use certificate::Certificate;
 pub use fit::{Fit, FitPoint};
 pub use solution::{Caution, Contact, Event, Place, Side, Solution};
+pub use statics::{Balance, Base};
 pub use timing::{Sample, Timing};

@@ -4,9 +4,9 @@
 use super::solution::{Side, Solution};
 use crate::math::shortest;
 
-/// A node's columns. The bend and the shear are those of the segment that ends
+/// A node's columns. The cable is the first, as far as it goes; the bend and the shear are those of the segment that ends
 /// at the node, so the base's are empty; the multipliers are the sums over all
-/// that presses at the node on either side.
+/// that presses at the node on either side, all cables counting as one.
 pub const COLUMNS: [&str; 9] = [
     "node",
     "backbone_x_mm",
@@ -29,7 +29,9 @@ pub fn rows(solution: &Solution) -> impl Iterator<Item = [String; COLUMNS.len()]
 
 fn row(solution: &Solution, node: usize) -> [String; COLUMNS.len()] {
     let [x, y] = solution.backbone_mm[node];
-    let [u, v] = solution.cable_mm[node];
+    let cable = solution.cables.first();
+    let at = cable.and_then(|cable| cable.points_mm.get(node));
+    let [u, v] = at.map_or_else(Default::default, |at| at.map(shortest));
     let of_segment = |angles: &[f64]| match node.checked_sub(1) {
         Some(segment) => shortest(angles[segment]),
         None => String::new(),
@@ -43,8 +45,8 @@ fn row(solution: &Solution, node: usize) -> [String; COLUMNS.len()] {
         node.to_string(),
         shortest(x),
         shortest(y),
-        shortest(u),
-        shortest(v),
+        u,
+        v,
         of_segment(&solution.bends_rad),
         of_segment(&solution.shears_rad),
         pressing(Side::Backbone),

@@ -4,19 +4,22 @@ use serde::Serialize;
 
 use crate::contact::Contact as Touch;
 use crate::equilibrium::{Caution as Finding, Event as Happening, Occurrence, Run};
-use crate::forces::Stiffness;
+use crate::forces::{Statics, Stiffness};
 use crate::geometry::Vector;
+use crate::mechanics::Drive;
 use crate::robot::Line;
 use crate::units::{millimetres, per_millimetre};
 
+use super::cables::{Cable, Driven, point_mm};
 use super::certificate::Certificate;
+use super::statics::{Balance, Base};
 use super::timing::Timing;
 
 /// The version of the keys below.
-const SCHEMA: &str = "sinew-solution-1";
+const SCHEMA: &str = "sinew-solution-2";
 
-/// A solution, in the order of its keys in JSON. Points and directions are in
-/// the scene's frame.
+/// A solution, in the order of its keys in JSON. Points, directions and forces are in
+/// the scene's frame. What needs a bending stiffness is null without one.
 #[derive(Serialize)]
 pub struct Solution {
     /// The version of the keys.
@@ -25,21 +28,35 @@ pub struct Solution {
     pub status: &'static str,
     /// The status in a sentence.
     pub reason: String,
-    /// The length of cable drawn in; negative where it is let out.
-    pub pull_mm: f64,
+    /// `sliding` or `equal`, as in the scene.
+    pub mechanics: &'static str,
+    /// `plane`.
+    pub space: &'static str,
+    /// How much of the way from the straight robot has been gone, from 0 to 1: the part
+    /// of all pulls and loads that acts.
+    pub share: f64,
+    /// The length of cable drawn in, negative where it is let out; where there is one
+    /// cable.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pull_mm: Option<f64>,
     /// Where the last node is.
     pub tip_mm: [f64; 2],
     /// How far the tip points clockwise of the base.
     pub tip_slope_rad: f64,
     /// Σ bend², rad².
     pub energy: f64,
-    /// Of the cable, where the scene has a bending stiffness.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub tension_n: Option<f64>,
+    /// The elastic energy of the backbone, in N mm.
+    pub energy_nmm: Option<f64>,
+    /// Whether weights on the cables would hold the shape, too; null in the paper's
+    /// model.
+    pub stable_under_load: Option<bool>,
     /// n + 1 points, base first.
     pub backbone_mm: Vec<[f64; 2]>,
-    /// n + 1 points, base first.
-    pub cable_mm: Vec<[f64; 2]>,
+    /// n + 1 points, base first, or as far as it goes; where there is one cable.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cable_mm: Option<Vec<[f64; 2]>>,
+    /// In the order of the scene.
+    pub cables: Vec<Cable>,
     /// Of n segments, clockwise.
     pub bends_rad: Vec<f64>,
     /// Of n segments, clockwise.
@@ -50,6 +67,11 @@ pub struct Solution {
     pub unique_split: bool,
     /// Whether every obstacle had come to its place when the run ended.
     pub obstacles_placed: bool,
+    /// What the mount of the first disk exerts on the robot.
+    pub base: Option<Base>,
+    /// What is left of sums that should vanish; null where a shape that is none leaves
+    /// no numbers.
+    pub balance: Option<Balance>,
     /// The conditions of an equilibrium, recomputed.
     pub certificate: Certificate,
     /// What the certificate does not promise.
@@ -70,12 +92,20 @@ pub struct Contact {
     pub obstacle: usize,
     /// The line of the robot, by [`Line::name`].
     pub line: &'static str,
+    /// Which cable it is on, from 0; null where it is on none.
+    pub cable: Option<usize>,
     /// Index from 0 at the base.
     pub node: usize,
     /// `pressing` or `grazing`.
     pub class: &'static str,
     /// In rad²/mm, for a clearance in mm.
     pub multiplier: f64,
+    /// The obstacle's force on the robot, along the normal, in N.
+    pub force_n: Option<f64>,
+    /// Along the normal turned by 90° clockwise, in N; null without friction.
+    pub friction_n: Option<f64>,
+    /// Whether it slips or sticks; null without friction.
+    pub slips: Option<&'static str>,
     /// Out of the obstacle, of length 1.
     pub normal: [f64; 2],
     /// Of the obstacle's surface.
@@ -148,8 +178,10 @@ pub struct Caution {
 /// An event; keys that its kind does not have are left out.
 #[derive(Default, Serialize)]
 pub struct Event {
-    /// The pull at which it happened.
-    pub pull_mm: f64,
+    /// How much of the way had been gone.
+    pub share: f64,
+    /// What was given of every cable there.
+    pub cables: Vec<Driven>,
     /// Its kind, in a word.
     pub what: &'static str,
     /// Where it happened.
@@ -176,35 +208,61 @@ impl Solution {
     pub fn of(run: &Run, stiffness: Option<Stiffness>) -> Option<Self> {
         let solved = &run.solved();
         let (problem, solution) = (solved.problem(), solved.solution());
-        let slope = solution.energy_slope();
+        let per_bend = stiffness.map(|stiffness| stiffness.per_bend(problem));
+        let statics = Statics::of_scale(solved, per_bend.unwrap_or(1.0));
         let cautions = Finding::all(solved);
+        let is_one = solution.cables.len() == 1;
+        let contacts = solution.contacts.iter();
+        let events = solution.events.iter();
         let state = Self {
             schema: SCHEMA,
             status: solution.status.word(),
             reason: solution.status.reason(),
-            pull_mm: millimetres(solution.pull),
+            mechanics: problem.model().word(),
+            space: "plane",
+            share: run.driven_share(),
+            pull_mm: is_one.then(|| millimetres(solution.pull)),
             tip_mm: solution.backbone().last().map(point_mm).unwrap_or_default(),
             tip_slope_rad: solution.bends.iter().sum(),
             energy: solution.energy,
-            tension_n: stiffness.map(|stiffness| stiffness.per_bend(problem) * slope),
+            energy_nmm: per_bend.map(|per_bend| millimetres(per_bend * solution.energy)),
+            stable_under_load: solved.rests_under_load(),
             backbone_mm: solution.backbone().map(point_mm).collect(),
-            cable_mm: solved.cable().map(point_mm).collect(),
+            cable_mm: is_one.then(|| solved.cable().map(point_mm).collect()),
+            cables: (0..solution.cables.len())
+                .map(|index| Cable::of(solved, index, per_bend))
+                .collect(),
             bends_rad: solution.bends.clone(),
             shears_rad: solution.shears.clone(),
-            contacts: solution.contacts.iter().map(contact).collect(),
+            contacts: contacts.map(|touch| contact(touch, per_bend)).collect(),
             unique_split: solution.unique_split,
             obstacles_placed: run.obstacles_are_placed(),
+            base: per_bend.and_then(|_| Base::of(&statics)),
+            balance: Balance::of(&statics),
             certificate: Certificate::of(&solution.certificate),
             cautions: cautions.into_iter().map(caution).collect(),
-            events: solution.events.iter().map(event).collect(),
+            events: events
+                .map(|happening| event(happening, &run.drive_at(happening.share)))
+                .collect(),
             iterations: solution.iterations,
             timing_us: None,
         };
         state.is_finite().then_some(state)
     }
 
+    /// The same state as the end of a part of a longer way, from one of its shares to
+    /// another.
+    pub fn on_the_way(mut self, from: f64, to: f64) -> Self {
+        let whole = |share: f64| (1.0 - share) * from + share * to;
+        self.share = whole(self.share);
+        for event in &mut self.events {
+            event.share = whole(event.share);
+        }
+        self
+    }
+
     fn is_finite(&self) -> bool {
-        let points = self.backbone_mm.iter().chain(&self.cable_mm).flatten();
+        let points = self.backbone_mm.iter().flatten();
         let angles = self.bends_rad.iter().chain(&self.shears_rad);
         let contacts = self.contacts.iter().flat_map(|contact| {
             let [x, y] = contact.point_mm;
@@ -213,12 +271,14 @@ impl Solution {
         });
         let events = self.events.iter().flat_map(|event| {
             let [u, v] = event.direction.unwrap_or_default();
-            [event.pull_mm, event.distance_mm.unwrap_or_default(), u, v]
+            [event.share, event.distance_mm.unwrap_or_default(), u, v]
         });
+        let given = self.events.iter().flat_map(|event| &event.cables);
         let cautions = self.cautions.iter().filter_map(|caution| caution.depth_mm);
-        [self.pull_mm, self.energy, self.tip_slope_rad]
+        [self.share, self.energy, self.tip_slope_rad]
             .into_iter()
-            .chain(self.tension_n)
+            .chain(self.cables.iter().flat_map(Cable::numbers))
+            .chain(given.flat_map(Driven::numbers))
             .chain(cautions)
             .chain(points.copied())
             .chain(angles.copied())
@@ -229,13 +289,18 @@ impl Solution {
     }
 }
 
-fn contact(touch: &Touch) -> Contact {
+fn contact(touch: &Touch, per_bend: Option<f64>) -> Contact {
+    let is_cable = matches!(touch.line, Line::Cable | Line::CableLink);
     Contact {
         obstacle: touch.obstacle,
         line: touch.line.name(),
+        cable: is_cable.then_some(touch.cable),
         node: touch.node,
         class: touch.class.word(),
         multiplier: per_millimetre(touch.multiplier),
+        force_n: per_bend.map(|per_bend| per_bend * touch.multiplier),
+        friction_n: None,
+        slips: None,
         normal: pair(touch.normal),
         point_mm: point_mm(touch.point),
         clearance_mm: millimetres(touch.clearance),
@@ -282,9 +347,10 @@ fn caution(finding: Finding) -> Caution {
     }
 }
 
-fn event(happening: &Happening) -> Event {
+fn event(happening: &Happening, drive: &Drive) -> Event {
     let mut event = Event {
-        pull_mm: millimetres(happening.pull),
+        share: happening.share,
+        cables: Driven::all(drive),
         what: happening.what.word(),
         ..Event::default()
     };
@@ -317,10 +383,6 @@ fn event(happening: &Happening) -> Event {
         Occurrence::StartRefused => {}
     }
     event
-}
-
-fn point_mm(point: Vector) -> [f64; 2] {
-    [millimetres(point.x), millimetres(point.y)]
 }
 
 fn pair(vector: Vector) -> [f64; 2] {

@@ -21,7 +21,8 @@ pub(super) fn path_state(out: &mut impl Write, index: usize, state: &Solution) -
         csv_row(&mut table, [PULL_COLUMN].into_iter().chain(COLUMNS))?;
     }
     for row in rows(state) {
-        let pull = shortest(state.pull_mm);
+        let first = state.cables.first();
+        let pull = first.map_or_else(String::new, |cable| shortest(cable.pull_mm));
         csv_row(&mut table, [pull].into_iter().chain(row))?;
     }
     table.flush()

@@ -9,12 +9,12 @@ use std::io::{self, ErrorKind, Write};
 
 use super::arguments::Format;
 use crate::equilibrium::Caution;
-use crate::math::unsigned_zero;
-use crate::mechanics::Problem;
+use crate::math::{decimals, unsigned_zero};
+use crate::mechanics::{Drive, Input, Problem};
 use crate::record::Solution;
 use crate::scene::Scene;
 use crate::scene::limits::shown;
-use crate::units::millimetres;
+use crate::units::{grams, millimetres};
 
 pub(super) use self::csv::csv_row;
 pub(super) use self::json::object;
@@ -26,8 +26,8 @@ pub(super) struct Labels {
     title: String,
     /// The obstacles' names or, where they have none, their shapes.
     obstacles: Vec<String>,
-    /// The pull asked for, in mm.
-    goal_mm: f64,
+    /// What was asked for of the cables.
+    goal: Vec<Input>,
 }
 
 impl Labels {
@@ -41,7 +41,7 @@ impl Labels {
         Self {
             title: printable(title),
             obstacles: obstacles.collect(),
-            goal_mm: millimetres(problem.pull()),
+            goal: inputs(problem.drive()).collect(),
         }
     }
 
@@ -156,4 +156,27 @@ pub(super) fn pull_shown(pull: f64) -> String {
     let pull_mm = millimetres(pull);
     let grain = if pull_mm.abs() < 1.0 { 1e9 } else { 1e4 };
     shown(unsigned_zero((pull_mm * grain).round() / grain))
+}
+
+/// A force in newtons as grams, with four figures.
+pub(super) fn grams_shown(newtons: f64) -> String {
+    let size = grams(newtons).abs();
+    let count = match size {
+        0.0 => 0.0,
+        size => (3.0 - libm::log10(size).floor()).clamp(0.0, 4.0),
+    };
+    decimals(grams(newtons), count as usize)
+}
+
+fn inputs(drive: &Drive) -> impl Iterator<Item = Input> + '_ {
+    drive.cables.iter().map(|driven| driven.input)
+}
+
+/// What is given of the cables, in words: `pull 4.9 mm`, `pull 6 mm and load 60 g`.
+pub(super) fn driven_shown(drive: &Drive) -> String {
+    let each = inputs(drive).map(|input| match input {
+        Input::Pull(pull) => format!("pull {} mm", pull_shown(pull)),
+        Input::Load(load) => format!("load {} g", grams_shown(load)),
+    });
+    each.collect::<Vec<_>>().join(" and ")
 }

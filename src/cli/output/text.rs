@@ -2,38 +2,49 @@
 
 use std::io::{self, Write};
 
-use super::{Labels, paragraph, pull_shown};
+use super::{Labels, grams_shown, paragraph, pull_shown};
 use crate::math::decimals;
-use crate::mechanics::{Answers, Condition, ConditionKind};
-use crate::record::{Caution, Contact, Event, Solution, Timing};
-use crate::units::{RAD2_PER_MM, degrees, metres};
+use crate::mechanics::{Answers, Condition, ConditionKind, Input};
+use crate::record::{Cable, Caution, Contact, Driven, Event, Solution, Timing};
+use crate::scene::limits;
+use crate::units::{RAD2_PER_MM, degrees, grams, metres};
 
 /// Contacts or events that are listed one by one.
 const LISTED: usize = 40;
+/// The word of the mechanics whose cables slide.
+const SLIDING: &str = "sliding";
+/// What is to be known of forces by the paper's model.
+const UNDERSTATED: &str = "The paper's cable cannot slide, and its model understates the forces of \
+    contacts; model.mechanics = \"sliding\" gives those that a load cell would show.";
 
 pub(super) fn solution(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Result<()> {
     writeln!(out, "{}\n", labels.title)?;
+    let mechanics = match state.mechanics {
+        SLIDING => "the cables slide through the disks",
+        _ => "every segment of the cable shortens alike, as in the paper",
+    };
+    writeln!(out, "  mechanics    {}: {mechanics}", state.mechanics)?;
     writeln!(out, "  status       {}: {}", state.status, state.reason)?;
-    let pull = pull_shown(metres(state.pull_mm));
-    let goal = pull_shown(metres(labels.goal_mm));
-    if pull == goal {
-        writeln!(out, "  pull         {pull} mm")?;
-    } else {
-        writeln!(out, "  pull         {pull} mm of the {goal} mm asked for")?;
+    match &state.cables[..] {
+        [cable] => one_cable(out, cable, labels.goal.first().copied())?,
+        cables => {
+            for (index, cable) in cables.iter().enumerate() {
+                one_of_several(out, index, cable, labels.goal.get(index).copied())?;
+            }
+        }
     }
     let [x, y] = state.tip_mm.map(|coordinate| decimals(coordinate, 2));
     writeln!(out, "  tip          x {x} mm, y {y} mm")?;
     let slope = decimals(degrees(state.tip_slope_rad), 1);
     writeln!(out, "  slope        {slope}° clockwise from the base")?;
-    let energy = figures(state.energy);
-    let rate = figures(state.certificate.energy_slope);
-    writeln!(
-        out,
-        "  energy       {energy} rad², changing by {rate} rad² per mm of pull"
-    )?;
-    if let Some(tension) = state.tension_n {
-        let tension = figures(tension);
-        writeln!(out, "  tension      {tension} N along the cable")?;
+    energy(out, state)?;
+    if let Some(stable) = state.stable_under_load {
+        let held = if stable {
+            "weights on the cables would hold it, too"
+        } else {
+            "held by the cables' lengths alone: under weights it would snap away"
+        };
+        writeln!(out, "  stability    {held}")?;
     }
     certificate(out, state)?;
     writeln!(out, "  iterations   {}", state.iterations)?;
@@ -41,6 +52,75 @@ pub(super) fn solution(out: &mut impl Write, labels: &Labels, state: &Solution) 
     contacts(out, labels, state)?;
     events(out, labels, state)?;
     state.timing_us.as_ref().map_or(Ok(()), |t| timing(out, t))
+}
+
+fn energy(out: &mut impl Write, state: &Solution) -> io::Result<()> {
+    write!(out, "  energy       {} rad²", figures(state.energy))?;
+    if let Some(energy) = state.energy_nmm {
+        write!(out, " ({} N mm)", figures(energy))?;
+    }
+    match &state.cables[..] {
+        [cable] => writeln!(
+            out,
+            ", changing by {} rad² per mm of pull",
+            figures(cable.multiplier)
+        ),
+        _ => writeln!(out),
+    }
+}
+
+/// A cable's pull, as far as it was got where more was asked for.
+fn pull(cable: &Cable, goal: Option<Input>) -> String {
+    let pull = pull_shown(metres(cable.pull_mm));
+    match goal {
+        Some(Input::Pull(goal)) if pull_shown(goal) != pull => {
+            format!("{pull} mm of the {} mm asked for", pull_shown(goal))
+        }
+        _ => format!("{pull} mm"),
+    }
+}
+
+/// A cable's tension in grams and newtons, as far as it was got where more was asked
+/// for.
+fn tension(cable: &Cable, goal: Option<Input>) -> Option<String> {
+    if cable.slack {
+        return Some("none: it hangs slack".to_owned());
+    }
+    let tension = cable.tension_n?;
+    let (shown, newtons) = (grams_shown(tension), figures(tension));
+    Some(match goal {
+        Some(Input::Load(goal)) if grams_shown(goal) != shown => {
+            format!("{shown} g of the {} g asked for", grams_shown(goal))
+        }
+        _ => format!("{shown} g ({newtons} N)"),
+    })
+}
+
+fn one_cable(out: &mut impl Write, cable: &Cable, goal: Option<Input>) -> io::Result<()> {
+    writeln!(out, "  pull         {}", pull(cable, goal))?;
+    match (tension(cable, goal), goal) {
+        (Some(tension), Some(Input::Load(_))) => writeln!(out, "  load         {tension}"),
+        (Some(tension), _) => writeln!(out, "  tension      {tension}"),
+        (None, _) => Ok(()),
+    }
+}
+
+fn one_of_several(
+    out: &mut impl Write,
+    index: usize,
+    cable: &Cable,
+    goal: Option<Input>,
+) -> io::Result<()> {
+    let name = format!("cable {index}");
+    let offset = limits::shown(cable.offset_mm);
+    write!(out, "  {name:<11}  at {offset} mm to disk {}: ", cable.to_disk)?;
+    write!(out, "pull {}", pull(cable, goal))?;
+    match (tension(cable, goal), goal) {
+        (Some(_), _) if cable.slack => writeln!(out, ", slack"),
+        (Some(tension), Some(Input::Load(_))) => writeln!(out, ", load {tension}"),
+        (Some(tension), _) => writeln!(out, ", tension {tension}"),
+        (None, _) => writeln!(out),
+    }
 }
 
 fn certificate(out: &mut impl Write, state: &Solution) -> io::Result<()> {
@@ -92,24 +172,33 @@ fn contacts(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Resu
         .collect();
     let width = names.iter().map(|name| name.chars().count());
     let width = width.max().unwrap_or(0).max("obstacle".len());
-    writeln!(
-        out,
-        "  {:<14}  {:>6}  {:<width$}  {:<8}  {:>10}  {:>8}  {:>8}",
-        "line", "node", "obstacle", "class", "multiplier", "x", "y"
-    )?;
-    writeln!(
-        out,
-        "  {:<14}  {:>6}  {:<width$}  {:<8}  {:>10}  {:>8}  {:>8}",
-        "", "", "", "", RAD2_PER_MM, "mm", "mm"
-    )?;
-    for (contact, name) in shown.iter().zip(&names) {
-        let [x, y] = contact.point_mm.map(|coordinate| decimals(coordinate, 2));
+    let has_forces = shown.iter().any(|contact| contact.force_n.is_some());
+    let force = |text: &str| match has_forces {
+        true => format!("{text:>8}  "),
+        false => String::new(),
+    };
+    for (titles, text) in [
+        (["line", "node", "obstacle", "class"], ["force", "multiplier", "x", "y"]),
+        (["", "", "", ""], ["g", RAD2_PER_MM, "mm", "mm"]),
+    ] {
+        let [line, node, obstacle, class] = titles;
+        let [grams, multiplier, x, y] = text;
         writeln!(
             out,
-            "  {:<14}  {:>6}  {name:<width$}  {:<8}  {:>10}  {x:>8}  {y:>8}",
-            line(contact.line),
+            "  {line:<14}  {node:>6}  {obstacle:<width$}  {class:<8}  {}{multiplier:>10}  {x:>8}  {y:>8}",
+            force(grams)
+        )?;
+    }
+    for (contact, name) in shown.iter().zip(&names) {
+        let [x, y] = contact.point_mm.map(|coordinate| decimals(coordinate, 2));
+        let grams = contact.force_n.map_or_else(String::new, grams_shown);
+        writeln!(
+            out,
+            "  {:<14}  {:>6}  {name:<width$}  {:<8}  {}{:>10}  {x:>8}  {y:>8}",
+            on_line(state, contact.line, contact.cable),
             contact.node,
             contact.class,
+            force(&grams),
             figures(contact.multiplier),
         )?;
     }
@@ -118,7 +207,18 @@ fn contacts(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Resu
         let note = "The split between the contacts is not unique; the sum at a node is.";
         writeln!(out, "\n  {note}")?;
     }
+    if state.mechanics != SLIDING && has_forces {
+        paragraph(out, "\n  ", UNDERSTATED)?;
+    }
     Ok(())
+}
+
+/// The line of a contact in words: of several cables, which.
+fn on_line(state: &Solution, name: &str, cable: Option<usize>) -> String {
+    match cable {
+        Some(cable) if state.cables.len() > 1 => format!("{} {cable}", line(name)),
+        _ => line(name),
+    }
 }
 
 fn events(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Result<()> {
@@ -127,10 +227,29 @@ fn events(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Result
     }
     writeln!(out, "\nOn the way\n")?;
     for event in state.events.iter().take(LISTED) {
-        let pull = decimals(event.pull_mm, 3);
-        writeln!(out, "  {pull:>8} mm  {}", told(labels, event))?;
+        let (at, unit) = when(&event.cables, event.share);
+        writeln!(out, "  {at:>8} {unit}  {}", told(labels, event))?;
     }
     and_more(out, state.events.len())
+}
+
+/// What tells how far the robot has come, with its unit: the one cable's pull or load,
+/// or the share of all that drives it.
+fn when(cables: &[Driven], share: f64) -> (String, &'static str) {
+    match cables {
+        [
+            Driven {
+                pull_mm: Some(pull),
+                ..
+            },
+        ] => (decimals(*pull, 3), "mm"),
+        [
+            Driven {
+                load_n: Some(load), ..
+            },
+        ] => (decimals(grams(*load), 2), "g "),
+        _ => (decimals(100.0 * share, 2), "% "),
+    }
 }
 
 /// Says how many entries of a list are left out.
@@ -167,18 +286,28 @@ pub(super) fn path_state(
 ) -> io::Result<()> {
     if index == 0 {
         writeln!(out, "{}\n", labels.title)?;
+        let (what, unit) = match labels.goal[..] {
+            [Input::Pull(_)] => ("pull", "mm"),
+            [Input::Load(_)] => ("load", "g"),
+            _ => ("share", "%"),
+        };
         writeln!(
             out,
-            "{:>9}  {:>8}  {:>8}  {:>7}  {:>10}  {:<28}  events",
-            "pull", "tip x", "tip y", "slope", "energy", "pressing (node on obstacle)"
+            "{what:>9}  {:>8}  {:>8}  {:>7}  {:>10}  {:<28}  events",
+            "tip x", "tip y", "slope", "energy", "pressing (node on obstacle)"
         )?;
         writeln!(
             out,
-            "{:>9}  {:>8}  {:>8}  {:>7}  {:>10}",
-            "mm", "mm", "mm", "deg", "rad²"
+            "{unit:>9}  {:>8}  {:>8}  {:>7}  {:>10}",
+            "mm", "mm", "deg", "rad²"
         )?;
     }
     let [x, y] = state.tip_mm;
+    let at = match (&labels.goal[..], &state.cables[..]) {
+        ([Input::Pull(_)], [cable]) => decimals(cable.pull_mm, 3),
+        ([Input::Load(_)], [cable]) => decimals(grams(cable.tension_n.unwrap_or_default()), 2),
+        _ => decimals(100.0 * state.share, 2),
+    };
     let pressing = state.contacts.iter().filter(|c| c.class == "pressing");
     let pressing: Vec<String> = pressing.map(place).collect();
     let pressing = if pressing.is_empty() {
@@ -191,7 +320,7 @@ pub(super) fn path_state(
     let notes: Vec<String> = events.chain(cautions).collect();
     let text = format!(
         "{:>9}  {:>8}  {:>8}  {:>7}  {:>10}  {pressing:<28}  {}",
-        decimals(state.pull_mm, 3),
+        at,
         decimals(x, 2),
         decimals(y, 2),
         decimals(degrees(state.tip_slope_rad), 1),

@@ -4,7 +4,7 @@ use super::{Branch, Phase};
 use crate::contact::RowKind;
 use crate::equilibrium::event::Occurrence;
 use crate::equilibrium::status::{Conflict, EndReason, Status};
-use crate::mechanics::Mechanics;
+use crate::mechanics::{Mechanics, Model};
 use crate::solver::Settings;
 
 impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
@@ -84,7 +84,11 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
     /// reason.
     pub(super) fn end_of_branch(&self, reason: EndReason, locked: Option<usize>) -> Status {
         Status::BranchEnded {
-            reason: locked.map_or(reason, |_| EndReason::LinkageLimit),
+            reason: match (locked, self.now.model()) {
+                (None, _) => reason,
+                (Some(_), Model::Equal) => EndReason::LinkageLimit,
+                (Some(_), Model::Sliding) => EndReason::DisksTouch,
+            },
             segment: locked.unwrap_or_else(|| self.now.most_strained(&self.anchor.controls)),
         }
     }

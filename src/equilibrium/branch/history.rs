@@ -20,6 +20,7 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
     pub(super) fn note(&mut self, what: Occurrence) {
         self.solution.events.push(Event {
             pull: self.now.pull(),
+            share: self.drive_share(self.target()),
             load: self.now.drive().load(),
             what,
         });
@@ -58,8 +59,15 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
                         obstacle,
                     },
                 };
-                let (pull, load) = self.inputs_at(self.crossing(id, made));
-                events.push(Event { pull, load, what });
+                let at = self.crossing(id, made);
+                let (pull, load) = self.inputs_at(at);
+                let share = self.drive_share(at);
+                events.push(Event {
+                    pull,
+                    share,
+                    load,
+                    what,
+                });
             }
         };
         for (row, _) in pressing(&self.sqp) {

@@ -46,6 +46,7 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
                 };
                 self.solution.events.push(Event {
                     pull: drive.pull(),
+                    share: 0.0,
                     load: drive.load(),
                     what,
                 });
