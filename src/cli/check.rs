@@ -12,9 +12,9 @@ use super::{compare, input};
 use crate::equilibrium::{Caution, Run, Settings, Start, Status};
 use crate::experiments::Measured;
 use crate::math::{decimals, unsigned_zero};
-use crate::mechanics::Problem;
+use crate::mechanics::{Model, Problem};
 use crate::scene::limits::shown;
-use crate::scene::{Candidates, Scene};
+use crate::scene::{Candidates, Drive, Scene};
 use crate::units::millimetres;
 
 /// Obstacles named in the summary; of more than these, only the number is told.
@@ -46,11 +46,17 @@ fn cautions(scene: &Scene, problem: &Problem) -> Vec<String> {
     });
     drop(progress);
     let labels = Labels::of(scene, problem);
-    let found = Caution::all(&run.solved());
+    let mut found = Caution::all(&run.solved());
+    found.extend(Caution::of_scene(scene));
     let mut sentences: Vec<String> = found.iter().map(|one| labels.caution(one)).collect();
     if run.solution().status != Status::Converged {
         let reason = run.solution().status.reason();
-        sentences.push(format!("A solve does not reach the pull: {reason}."));
+        let asked = match problem.drive().cables[..] {
+            [_] if problem.drive().load().is_none() => "pull",
+            [_] => "load",
+            _ => "pulls and loads",
+        };
+        sentences.push(format!("A solve does not reach the {asked}: {reason}."));
     }
     sentences
 }
@@ -58,26 +64,56 @@ fn cautions(scene: &Scene, problem: &Problem) -> Vec<String> {
 fn summary(scene: &Scene, problem: &Problem) -> String {
     let robot = &scene.robot;
     let title = scene.title.as_deref().unwrap_or("untitled");
-    let (least, most) = problem.robot().pull_range();
     let [base_x, base_y] = robot.base_mm.map(number);
-    [
-        format!("{}: no faults.", printable(title)),
-        format!(
-            "The robot is {} mm long in {} segments, with a disk every {} and the cable {} mm beside the backbone; its base is at ({base_x}, {base_y}) mm.",
-            number(robot.length_mm),
-            robot.segments,
-            robot.segments_per_bay,
-            number(scene.offset_mm()),
+    let mut lines = vec![format!("{}: no faults.", printable(title))];
+    let cable = match problem.model() {
+        Model::Equal => format!(
+            " and the cable {} mm beside the backbone",
+            number(scene.offset_mm())
         ),
-        format!(
-            "The pull is {} mm; the segments allow {} to {} mm.",
-            number(scene.pull_mm()),
-            decimals(millimetres(least), 1),
-            decimals(millimetres(most), 1),
-        ),
-        obstacles(scene),
-    ]
-    .join("\n")
+        Model::Sliding => String::new(),
+    };
+    lines.push(format!(
+        "The robot is {} mm long in {} segments, with a disk every {}{cable}; its base is at ({base_x}, {base_y}) mm.",
+        number(robot.length_mm),
+        robot.segments,
+        robot.segments_per_bay,
+    ));
+    match problem.model() {
+        Model::Equal => {
+            let (least, most) = problem.pull_range();
+            lines.push(format!(
+                "Every segment of the cable shortens alike, as in the paper. The pull is {} mm; the segments allow {} to {} mm.",
+                number(scene.pull_mm()),
+                decimals(millimetres(least), 1),
+                decimals(millimetres(most), 1),
+            ));
+        }
+        Model::Sliding => lines.push(cables(scene)),
+    }
+    lines.push(obstacles(scene));
+    lines.join("\n")
+}
+
+/// Where cables that slide run, and what drives them.
+fn cables(scene: &Scene) -> String {
+    let each = scene.each_cable().map(|cable| {
+        let drive = match cable.drive {
+            Drive::PullMm(pull_mm) => format!("a pull of {} mm", number(pull_mm)),
+            Drive::LoadG(load_g) => format!("a load of {} g", number(load_g)),
+        };
+        let end = match cable.to_disk {
+            Some(disk) => format!(" to disk {disk}"),
+            None => String::new(),
+        };
+        format!("at {} mm{end} by {drive}", number(cable.offset_mm))
+    });
+    let each: Vec<String> = each.collect();
+    let head = match each.len() {
+        1 => "One cable slides through the disks".to_owned(),
+        count => format!("{count} cables slide through the disks"),
+    };
+    format!("{head}: {}.", each.join(", "))
 }
 
 /// A number of the file, with no sign where it is zero.

@@ -5,14 +5,14 @@ use std::io::{self, BufWriter, Write};
 
 use super::arguments::{Driving, Force, Format, Motion};
 use super::input::{self, BadInput};
-use super::output::{csv_row, object, printable, pull_shown, reader};
+use super::output::{csv_row, driven_shown, object, printable, reader};
 use super::{Failure, Outcome, force_text, numbers};
 use crate::contact::Contact;
 use crate::equilibrium::{Settings, Start, Status, solve};
 use crate::forces::{
     LoadSteps, Profile, Rates, Stiffness, Sweep, SweepError, VirtualWork, Window, share_of_tension,
 };
-use crate::mechanics::Problem;
+use crate::mechanics::{Model, Problem};
 use crate::record::force::{
     ByMultipliers, ByVirtualWork, Forces, Line, Loaded, Row, SCHEMA, Share,
 };
@@ -29,6 +29,9 @@ const PULLS: usize = 41;
 pub(super) fn run(what: &Force) -> Result<Outcome, Failure> {
     let (scene, problem) = input::problem(&what.scene, &what.edits, &Driving::default())?;
     let loads = numbers::loads("--loads", &what.loads)?;
+    if problem.model() == Model::Sliding {
+        papers_alone(what)?;
+    }
     let found = estimate(what, &scene, &problem, &loads)?;
     let mut out = BufWriter::new(io::stdout().lock());
     let written = match what.format {
@@ -73,6 +76,23 @@ fn wrong(error: impl std::fmt::Display) -> BadInput {
     BadInput::Arguments(error.to_string())
 }
 
+/// Refuses what only virtual work has a use for.
+fn papers_alone(what: &Force) -> Result<(), BadInput> {
+    let given = [
+        (what.friction.is_some(), "--friction"),
+        (what.measured.is_some(), "--measured"),
+        (what.node.is_some(), "--node"),
+        (what.motion == Motion::Contact, "--motion"),
+    ];
+    match given.iter().find(|(is_given, _)| *is_given) {
+        None => Ok(()),
+        Some((_, option)) => Err(BadInput::Arguments(format!(
+            "{option} is about virtual work, which is an estimate for the paper's model; leave it \
+             out, or set model.mechanics to \"equal\""
+        ))),
+    }
+}
+
 fn estimate(
     what: &Force,
     scene: &Scene,
@@ -80,8 +100,20 @@ fn estimate(
     loads: &[f64],
 ) -> Result<Forces, BadInput> {
     let mut unreached = Unreached::default();
-    let worked = virtual_work(what, scene, problem, &mut unreached)?;
+    let worked = match problem.model() {
+        Model::Equal => virtual_work(what, scene, problem, &mut unreached)?,
+        Model::Sliding => None,
+    };
     let stiffness = unreached.but(stiffness(what, scene, problem)?)?.flatten();
+    // Loads in newtons act on the stiffness that was asked for.
+    let stiff;
+    let problem = match (problem.model(), stiffness) {
+        (Model::Sliding, Some((ei, _))) => {
+            stiff = problem.with_stiffness(ei.value());
+            &stiff
+        }
+        _ => problem,
+    };
     let loading = match stiffness {
         Some((ei, from)) => {
             let newtons: Vec<f64> = loads.iter().map(|load| newtons(*load)).collect();
@@ -126,14 +158,15 @@ fn estimate(
     Ok(Forces {
         schema: SCHEMA,
         title: printable(scene.title.as_deref().unwrap_or("Untitled scene")),
+        mechanics: problem.model().word(),
         virtual_work: worked.map(|(_, told)| told),
         contacts,
         pull_mm,
         by_multipliers: loading.as_ref().map(|(ei, from, loading)| ByMultipliers {
-            ei_n_mm2: newton_square_millimetres(ei.value()),
+            ei_nmm2: newton_square_millimetres(ei.value()),
             ei_from: from,
             contact_pull_mm: loading.contact.map(millimetres),
-            datum_g: grams(loading.datum),
+            tension_at_contact_g: grams(loading.datum),
         }),
         loads: rows,
         reason: unreached.reason(),
@@ -156,7 +189,7 @@ fn virtual_work(
         last: metres(last),
     };
     let (mover, motion) = match what.motion {
-        Motion::Free => (without_obstacles(problem), "free"),
+        Motion::Free => (problem.without_obstacles(), "free"),
         Motion::Contact => (problem.clone(), "contact"),
     };
     let pulls = Sweep::pulls(window.first, window.last, PULLS);
@@ -168,7 +201,7 @@ fn virtual_work(
     let calibrated =
         |load, force| VirtualWork::calibrated(offset, rates, newtons(load), newtons(force));
     let held = scene.measured.as_ref().and_then(Measurements::calibrating);
-    let (estimator, friction_from) = match (&what.measured, what.friction, held) {
+    let (estimator, mu_from) = match (&what.measured, what.friction, held) {
         (Some(text), _, _) => {
             let (load, force) = pair("--measured", text)?;
             (calibrated(load, force), "--measured".to_owned())
@@ -196,17 +229,12 @@ fn virtual_work(
         x: Line::of(&rates.x, millimetres),
         y: Line::of(&rates.y, millimetres),
         slope: Line::of(&rates.angle, degrees),
-        friction: estimator.friction(),
-        friction_from,
+        mu: estimator.friction(),
+        mu_from,
         force_per_load: estimator.force_per_load(),
         caveats: caveats.iter().map(ToString::to_string).collect(),
     };
     Ok(Some((estimator, told)))
-}
-
-fn without_obstacles(problem: &Problem) -> Problem {
-    let candidates = problem.candidates().to_vec();
-    Problem::from_parts(*problem.robot(), problem.pull(), candidates, Vec::new())
 }
 
 /// A stiffness with where it comes from, or why there is none.
@@ -225,7 +253,13 @@ fn stiffness(what: &Force, scene: &Scene, problem: &Problem) -> Result<Known, Ba
         (Stiffness::of_section(pascals(young_gpa), profile), "--rod")
     } else if let Some(text) = &what.weighed {
         let (load_g, pull_mm) = pair("--weighed", text)?;
-        let (least, most) = problem.robot().pull_range();
+        if problem.drive().loads.any() {
+            return Err(wrong(
+                "--weighed cannot tell the stiffness of a robot that other loads bend, too; give \
+                 --ei or --rod, or leave out what [loads] says",
+            ));
+        }
+        let (least, most) = problem.pull_range();
         let pull = metres(pull_mm);
         if !(least..=most).contains(&pull) {
             return Ok(Err(SweepError::OutOfRange { pull, least, most }));
@@ -266,10 +300,10 @@ fn shares(
 ) -> (Vec<Share>, Option<f64>) {
     let solution = solve(problem, Start::Straight, Settings::default());
     if solution.status != Status::Converged {
-        let (pull, reason) = (pull_shown(problem.pull()), solution.status.reason());
-        let last = pull_shown(solution.pull);
+        let reason = solution.status.reason();
+        let (all, last) = (driven_shown(problem.drive()), driven_shown(&solution.drive));
         unreached.note(format!(
-            "the scene's pull of {pull} mm is not reached, only {last} mm: {reason}"
+            "the scene's {all} is not reached, only {last}: {reason}"
         ));
         if !solution.certificate.holds() {
             return (Vec::new(), None);

@@ -11,10 +11,15 @@ use crate::units::metres;
 /// The report: the lines of virtual work, the multipliers, the table of loads.
 pub(super) fn text(out: &mut impl Write, found: &Forces) -> io::Result<()> {
     writeln!(out, "{}\n", found.title)?;
-    writeln!(out, "Virtual work (eq. 11)\n")?;
-    match &found.virtual_work {
-        Some(known) => virtual_work(out, known)?,
-        None => writeln!(out, "  The robot does not get through the window.")?,
+    if is_papers(found) {
+        writeln!(out, "Virtual work (eq. 11)\n")?;
+        match &found.virtual_work {
+            Some(known) => virtual_work(out, known)?,
+            None => writeln!(out, "  The robot does not get through the window.")?,
+        }
+        writeln!(out, "\nMultipliers of the paper's model\n")?;
+    } else {
+        writeln!(out, "Cables that slide through the disks\n")?;
     }
     multipliers(out, found)?;
     table(out, found)
@@ -50,8 +55,8 @@ fn virtual_work(out: &mut impl Write, known: &ByVirtualWork) -> io::Result<()> {
     writeln!(
         out,
         "  mu       {:>9} ({})",
-        typeset(known.friction, 4),
-        known.friction_from
+        typeset(known.mu, 4),
+        known.mu_from
     )?;
     writeln!(
         out,
@@ -64,21 +69,25 @@ fn virtual_work(out: &mut impl Write, known: &ByVirtualWork) -> io::Result<()> {
     Ok(())
 }
 
+/// Whether it is about the paper's model.
+fn is_papers(found: &Forces) -> bool {
+    found.mechanics == "equal"
+}
+
 fn multipliers(out: &mut impl Write, found: &Forces) -> io::Result<()> {
-    writeln!(out, "\nMultipliers\n")?;
     match &found.by_multipliers {
         Some(known) => {
             writeln!(
                 out,
                 "  EI       {:.1} N mm² ({})",
-                known.ei_n_mm2, known.ei_from
+                known.ei_nmm2, known.ei_from
             )?;
             match known.contact_pull_mm {
                 Some(pull) => writeln!(
                     out,
                     "  contact  from a pull of {} mm, with {} g on the cable; loads count from there",
                     decimals(pull, 3),
-                    decimals(known.datum_g, 1)
+                    decimals(known.tension_at_contact_g, 1)
                 )?,
                 None => writeln!(out, "  contact  none; loads count from the straight robot")?,
             }
@@ -113,28 +122,30 @@ fn table(out: &mut impl Write, found: &Forces) -> io::Result<()> {
     if found.loads.is_empty() {
         return Ok(());
     }
-    write!(out, "\n  {:>8}  {:>8}  {:>8}", "load", "P_x", "P_y")?;
-    if both {
-        write!(
-            out,
-            "  {:>8}  {:>8}  {:>8}  by multipliers",
-            "pull", "tension", "force"
-        )?;
+    let papers = is_papers(found);
+    write!(out, "\n  {:>8}", "load")?;
+    if papers {
+        write!(out, "  {:>8}  {:>8}", "P_x", "P_y")?;
     }
-    write!(out, "\n  {:>8}  {:>8}  {:>8}", "g", "g", "g")?;
+    if both {
+        write!(out, "  {:>8}  {:>8}  {:>8}", "pull", "tension", "force")?;
+        write!(out, "  {}", if papers { "by multipliers" } else { "on" })?;
+    }
+    write!(out, "\n  {:>8}", "g")?;
+    if papers {
+        write!(out, "  {:>8}  {:>8}", "g", "g")?;
+    }
     if both {
         write!(out, "  {:>8}  {:>8}  {:>8}", "mm", "g", "g")?;
     }
     writeln!(out)?;
     let force = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |g| typeset(g, 2));
     for row in &found.loads {
-        write!(
-            out,
-            "  {:>8}  {:>8}  {:>8}",
-            row.load_g,
-            force(row.force_x_g),
-            force(row.force_y_g)
-        )?;
+        write!(out, "  {:>8}", row.load_g)?;
+        if papers {
+            let (x, y) = (force(row.force_x_g), force(row.force_y_g));
+            write!(out, "  {x:>8}  {y:>8}")?;
+        }
         if let Some(loaded) = &row.multipliers {
             let parts = loaded.contacts.iter();
             let parts = parts.map(|c| format!("{} g at {}", typeset(c.force_g, 2), c.contact));

@@ -7,7 +7,7 @@ use super::input::{self, BadInput};
 use super::output::{Labels, Output, Reader, driven_shown, reader};
 use super::progress::Progress;
 use super::{Failure, Outcome, timing};
-use crate::equilibrium::{self, Run, Settings, Start, Status};
+use crate::equilibrium::{self, Caution, Run, Settings, Start, Status};
 use crate::forces::Stiffness;
 use crate::mechanics::Problem;
 use crate::record::Solution;
@@ -30,15 +30,34 @@ pub(super) fn run(what: &Solve) -> Result<Outcome, Failure> {
     let mut output = Output::new(out, what.format, Labels::of(&scene, &problem));
     // Its range was checked with the scene's.
     let stiffness = Stiffness::of_scene(&scene).ok().flatten();
+    let about = About {
+        stiffness,
+        caution: Caution::of_scene(&scene),
+    };
     match what.path {
-        Some(steps) => path(&problem, stiffness, steps, &mut output),
-        None => single(&problem, stiffness, what.repeat, &mut output),
+        Some(steps) => path(&problem, about, steps, &mut output),
+        None => single(&problem, about, what.repeat, &mut output),
+    }
+}
+
+/// What a state's record says that only the scene knows.
+#[derive(Clone, Copy)]
+struct About {
+    stiffness: Option<Stiffness>,
+    caution: Option<Caution>,
+}
+
+impl About {
+    /// The record of the state a run is in.
+    fn state(self, run: &Run) -> Option<Solution> {
+        let state = Solution::of(run, self.stiffness)?;
+        Some(state.with_caution(self.caution))
     }
 }
 
 fn single<W: Write>(
     problem: &Problem,
-    stiffness: Option<Stiffness>,
+    about: About,
     repeat: Option<u32>,
     output: &mut Output<W>,
 ) -> Result<Outcome, Failure> {
@@ -48,7 +67,7 @@ fn single<W: Write>(
         progress.at((run.share() * f64::from(RESOLUTION)) as u32);
     });
     drop(progress);
-    let Some(mut state) = Solution::of(&run, stiffness) else {
+    let Some(mut state) = about.state(&run) else {
         return Ok(not_finite(problem));
     };
     let outcome = outcome(&run, problem);
@@ -62,7 +81,7 @@ fn single<W: Write>(
 
 fn path<W: Write>(
     goal: &Problem,
-    stiffness: Option<Stiffness>,
+    about: About,
     steps: u32,
     output: &mut Output<W>,
 ) -> Result<Outcome, Failure> {
@@ -81,7 +100,7 @@ fn path<W: Write>(
             run.retarget(&target);
         }
         finish(&mut run, |_| progress.at(step));
-        let Some(state) = Solution::of(&run, stiffness) else {
+        let Some(state) = about.state(&run) else {
             ended = not_finite(&target);
             break;
         };

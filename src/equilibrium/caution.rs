@@ -9,6 +9,7 @@ use super::solved::Solved;
 use crate::geometry::Vector;
 use crate::math::decimals;
 use crate::robot::Line;
+use crate::scene::Scene;
 use crate::units::millimetres;
 use serde::{Deserialize, Serialize};
 
@@ -48,6 +49,8 @@ pub enum Caution {
     },
     /// The shape needs a cable that pushes.
     CablePushes,
+    /// Gravity acts on a robot without any mass.
+    Weightless,
 }
 
 impl Caution {
@@ -66,6 +69,14 @@ impl Caution {
         cautions
     }
 
+    /// The cautions that a scene by itself gives, whatever its shape.
+    pub fn of_scene(scene: &Scene) -> Option<Caution> {
+        let robot = &scene.robot;
+        let falls = scene.loads.gravity_m_s2 != [0.0; 2];
+        let masses = [robot.disk_mass_g, robot.backbone_mass_g];
+        (falls && masses == [0.0; 2]).then_some(Caution::Weightless)
+    }
+
     /// The caution in one word, as in JSON output.
     pub fn word(&self) -> &'static str {
         match self {
@@ -73,6 +84,7 @@ impl Caution {
             Caution::Encloses { .. } => "encloses_obstacle",
             Caution::Coils { .. } => "coils_through_itself",
             Caution::CablePushes => "cable_pushes",
+            Caution::Weightless => "weightless",
         }
     }
 
@@ -106,6 +118,9 @@ impl Caution {
                 "the cable would have to push to hold this shape, and a cable can only pull"
                     .to_owned()
             }
+            Caution::Weightless => "gravity does nothing: neither the disks nor the backbone have \
+                 a mass, which robot.disk_mass_g and robot.backbone_mass_g give them"
+                .to_owned(),
         }
     }
 
@@ -116,7 +131,7 @@ impl Caution {
             Caution::Crosses { .. } | Caution::Encloses { .. } => {
                 Some("contact.candidates = \"body\"")
             }
-            Caution::Coils { .. } | Caution::CablePushes => None,
+            Caution::Coils { .. } | Caution::CablePushes | Caution::Weightless => None,
         }
     }
 }

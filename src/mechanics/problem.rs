@@ -233,6 +233,13 @@ impl Problem {
         self.around.set_obstacle(index, obstacle);
     }
 
+    /// The same robot with another bending stiffness, in N m².
+    pub fn with_stiffness(&self, stiffness: f64) -> Self {
+        let mut stiff = self.clone();
+        stiff.drive.stiffness = Some(stiffness);
+        stiff
+    }
+
     /// The same robot with nothing around it.
     pub fn without_obstacles(&self) -> Self {
         let candidates = self.candidates().to_vec();

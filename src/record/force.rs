@@ -6,13 +6,17 @@
 
 use serde::Serialize;
 
+use super::statics::{Balance, Base};
 use crate::contact::Contact;
 use crate::forces::{LineFit, Loaded as Reached};
 use crate::math::shortest;
 use crate::units::{grams, millimetres, per_millimetre};
 
 /// The version of the keys below.
-pub const SCHEMA: &str = "sinew-force-1";
+pub const SCHEMA: &str = "sinew-force-2";
+
+/// The word of the paper's mechanics, which alone has virtual work.
+const EQUAL: &str = "equal";
 
 /// Forces against loads, in the order of its keys in JSON.
 #[derive(Serialize)]
@@ -21,7 +25,9 @@ pub struct Forces {
     pub schema: &'static str,
     /// What the scene is called.
     pub title: String,
-    /// Not where the robot does not get through the window.
+    /// `sliding` or `equal`, as in the scene.
+    pub mechanics: &'static str,
+    /// In the paper's model, where the robot gets through the window.
     #[serde(flatten)]
     pub virtual_work: Option<ByVirtualWork>,
     /// At `pull_mm`.
@@ -54,10 +60,11 @@ pub struct ByVirtualWork {
     pub y: Line,
     /// The line of its disk's direction, in degrees, counterclockwise.
     pub slope: Line,
-    /// μ = P_y / P_x.
-    pub friction: f64,
-    /// Where the friction comes from: an option, a field of the scene, or neither.
-    pub friction_from: String,
+    /// μ = P_y / P_x, a factor that makes the estimate meet a measured point and seldom
+    /// a coefficient of friction.
+    pub mu: f64,
+    /// Where it comes from: an option, a field of the scene, or neither.
+    pub mu_from: String,
     /// P_x / P_l.
     pub force_per_load: f64,
     /// Where the estimate leaves its assumptions, a sentence each.
@@ -114,14 +121,14 @@ pub struct Share {
 #[derive(Serialize)]
 pub struct ByMultipliers {
     /// The bending stiffness, N mm².
-    pub ei_n_mm2: f64,
+    pub ei_nmm2: f64,
     /// Where it comes from: an option or a field of the scene.
     pub ei_from: &'static str,
     /// The pull at which the robot begins to press; none where it does not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contact_pull_mm: Option<f64>,
     /// The tension there, which loads count from.
-    pub datum_g: f64,
+    pub tension_at_contact_g: f64,
 }
 
 /// A load with the forces under it.
@@ -153,14 +160,10 @@ pub struct Loaded {
     pub force_n: f64,
     /// What presses.
     pub contacts: Vec<Pressed>,
-    /// What the base holds, in the scene's frame.
-    pub clamp_force_n: [f64; 2],
-    /// Counterclockwise.
-    pub clamp_moment_n_mm: f64,
-    /// What is left of the sum of all forces, over the largest.
-    pub unbalanced_force: f64,
-    /// What is left of the sum of all moments, over the largest.
-    pub unbalanced_moment: f64,
+    /// What the base exerts on the robot.
+    pub base: Option<Base>,
+    /// What is left of sums that should vanish.
+    pub balance: Option<Balance>,
 }
 
 impl Loaded {
@@ -186,10 +189,8 @@ impl Loaded {
             force_g: grams(total),
             force_n: total,
             contacts: contacts.collect(),
-            clamp_force_n: [statics.clamp.force.x, statics.clamp.force.y],
-            clamp_moment_n_mm: millimetres(statics.clamp.moment),
-            unbalanced_force: statics.unbalanced_force,
-            unbalanced_moment: statics.unbalanced_moment,
+            base: Base::of(statics),
+            balance: Balance::of(statics),
         }
     }
 }
@@ -216,7 +217,10 @@ pub struct Pressed {
 impl Forces {
     /// The names of a table's columns, a row a load.
     pub fn columns(&self) -> Vec<&'static str> {
-        let mut head = vec!["load_g", "virtual_work_x_g", "virtual_work_y_g"];
+        let mut head = vec!["load_g"];
+        if self.mechanics == EQUAL {
+            head.extend(["virtual_work_x_g", "virtual_work_y_g"]);
+        }
         if self.by_multipliers.is_some() {
             head.extend(["pull_mm", "tension_g", "multipliers_g"]);
         }
@@ -226,7 +230,10 @@ impl Forces {
     /// Its rows, every number with all its digits; empty where there is none.
     pub fn rows(&self) -> impl Iterator<Item = Vec<String>> + '_ {
         self.loads.iter().map(|row| {
-            let mut fields = vec![Some(row.load_g), row.force_x_g, row.force_y_g];
+            let mut fields = vec![Some(row.load_g)];
+            if self.mechanics == EQUAL {
+                fields.extend([row.force_x_g, row.force_y_g]);
+            }
             if let Some(loaded) = &row.multipliers {
                 let numbers = [loaded.pull_mm, loaded.tension_g, loaded.force_g];
                 fields.extend(numbers.map(Some));

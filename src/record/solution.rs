@@ -250,6 +250,12 @@ impl Solution {
         state.is_finite().then_some(state)
     }
 
+    /// The same state with another caution.
+    pub fn with_caution(mut self, finding: Option<Finding>) -> Self {
+        self.cautions.extend(finding.map(caution));
+        self
+    }
+
     /// The same state as the end of a part of a longer way, from one of its shares to
     /// another.
     pub fn on_the_way(mut self, from: f64, to: f64) -> Self {
@@ -335,7 +341,7 @@ fn caution(finding: Finding) -> Caution {
             other_node: Some(upper),
             ..Place::default()
         },
-        Finding::CablePushes => Place::default(),
+        Finding::CablePushes | Finding::Weightless => Place::default(),
     };
     Caution {
         what: finding.word(),
