@@ -213,3 +213,21 @@ fn windows_of_pulls_are_found_to_their_ends() {
     assert_eq!(between(-1.0, 9.0).unwrap().ends_mm(), (0.0, 8.0));
     assert_eq!(between(9.0, 10.0), None);
 }
+
+/// A cable that slides without friction, with no number fitted: the force over the load
+/// at each distance of the cell, and at each of the four upper disks, to the four digits
+/// that another solver gave.
+#[test]
+fn the_sliding_cable_presses_as_another_solver_says() {
+    let table_1 = item(Id::Table1);
+    for (distance, expected) in [(24, 0.0896), (31, 0.0916), (36, 0.0935), (51, 0.1013)] {
+        let quantity =
+            format!("… sliding cable without friction, d = {distance} mm (measured, through 0)");
+        near(ours(&table_1, &quantity), expected, 2e-4);
+    }
+    let figure = item(Id::Fig10b);
+    for (node, expected) in [(19, 0.0698), (17, 0.0792), (15, 0.0916), (13, 0.1091)] {
+        let quantity = format!("… of a sliding cable without friction, d = 31 mm (node {node})");
+        near(ours(&figure, &quantity), expected, 2e-4);
+    }
+}

@@ -102,7 +102,7 @@ fn what_does_not_fit_is_infeasible_and_names_what_is_in_conflict() {
     let direct = solve(&problem(2.0, &slot), Start::Direct, Settings::default());
     assert!(matches!(direct.status, Status::Infeasible { .. }));
     let none = Status::Infeasible { conflicts: vec![] };
-    assert!(none.reason().contains("the linkage's own limits"));
+    assert!(none.reason().contains("the robot's own parts allow"));
 }
 
 fn check_end(solution: &Solution, reason: EndReason, words: [&str; 2]) {

@@ -280,6 +280,23 @@ fn the_free_tip_is_where_chords_put_it() {
 fn what_is_stable_under_pull_alone_is_told() {
     let (free, _) = solved(&format!("{ROBOT}{ONE_CABLE}pull_mm = 5\n"));
     assert_eq!(free.rests_under_load(), Some(true));
+    // Of a shape that is stable under its pull, a weight holds it just where the tension
+    // rises with the pull; over the tip of this robot it passes its greatest.
+    let mut slipping = Scene::from_toml(include_str!("../assets/scenes/slip-off.toml")).unwrap();
+    slipping.model.mechanics = sinew::scene::Mechanics::Sliding;
+    let mut found = Vec::new();
+    for pull_mm in [3.8, 4.0, 4.2, 4.28, 4.36, 4.4, 4.48] {
+        let mut at = |by: f64| {
+            slipping.set_pull_mm(pull_mm + by);
+            let problem = Problem::new(&slipping).unwrap();
+            solve(&problem, Start::Straight, Settings::default())
+        };
+        let [before, here, after] = [-1e-3, 0.0, 1e-3].map(at);
+        let rises = after.energy_slope() > before.energy_slope();
+        assert_eq!(here.rests_under_load(), Some(rises), "{pull_mm}");
+        found.push(rises);
+    }
+    assert_eq!(found, [true, true, true, true, false, false, false]);
     let mut equal = Scene::from_toml(&format!("{ROBOT}{ONE_CABLE}pull_mm = 5\n")).unwrap();
     equal.model.mechanics = sinew::scene::Mechanics::Equal;
     let equal = solve(

@@ -24,6 +24,15 @@ const BODY: &str = include_str!("../assets/scenes/body-contact.toml");
 const LOAD_CELL: &str = include_str!("../assets/scenes/load-cell.toml");
 const FREE: &str = include_str!("../assets/scenes/free.toml");
 
+/// Two cables that slide, one of them slack, and a rim on a disc.
+const ANTAGONISTS: &str = "version = 2
+title = \"Antagonists\"
+robot = { length_mm = 180, segments = 18, bending_stiffness_nmm2 = 8000, disk_radius_mm = 10 }
+cable = [{ offset_mm = 8, pull_mm = 7.5 }, { offset_mm = -8, pull_mm = -9, to_disk = 6 }]
+contact = { candidates = \"body\" }
+obstacle = [{ name = \"upper\", shape = \"disc\", center_mm = [75, 140], radius_mm = 12.5 }]
+";
+
 const SIZE: Size = Size {
     width: 640.0,
     height: 720.0,
@@ -171,6 +180,7 @@ fn snapshots() {
     check_snapshot("shapes", &drawn(SHAPES));
     check_snapshot("body-contact", &drawn(BODY));
     check_snapshot("load-cell", &drawn(LOAD_CELL));
+    check_snapshot("antagonists", &drawn(ANTAGONISTS));
 }
 
 // --- Properties --------------------------------------------------------

@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Write};
 
 use super::arguments::{Driving, Force, Format, Motion};
 use super::input::{self, BadInput};
-use super::output::{csv_row, driven_shown, object, printable, reader};
+use super::output::{csv_row, driven_shown, object, printable, pull_shown, reader};
 use super::{Failure, Outcome, force_text, numbers};
 use crate::contact::Contact;
 use crate::equilibrium::{Settings, Start, Status, solve};
@@ -302,9 +302,13 @@ fn shares(
     if solution.status != Status::Converged {
         let reason = solution.status.reason();
         let (all, last) = (driven_shown(problem.drive()), driven_shown(&solution.drive));
-        unreached.note(format!(
-            "the scene's {all} is not reached, only {last}: {reason}"
-        ));
+        let one_pull = problem.drive().cables.len() == 1 && problem.drive().load().is_none();
+        unreached.note(if one_pull {
+            let (pull, last) = (pull_shown(problem.pull()), pull_shown(solution.pull));
+            format!("the scene's pull of {pull} mm is not reached, only {last} mm: {reason}")
+        } else {
+            format!("what the scene asks for, {all}, is not reached, only {last}: {reason}")
+        });
         if !solution.certificate.holds() {
             return (Vec::new(), None);
         }

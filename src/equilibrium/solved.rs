@@ -128,7 +128,10 @@ impl Solved {
     /// If there is no cable of this index.
     pub fn holes(&self, index: usize) -> Vec<Vector> {
         let cable = &self.problem.drive().cables[index].cable;
-        let disks = self.nodes.iter().step_by(self.problem.robot().segments_per_bay);
+        let disks = self
+            .nodes
+            .iter()
+            .step_by(self.problem.robot().segments_per_bay);
         let holes = disks.take(cable.last_disk + 1);
         holes.map(|node| node.at(cable.offset)).collect()
     }

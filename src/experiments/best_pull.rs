@@ -278,15 +278,15 @@ impl PullSearch {
     /// How far the branch is followed either way, up and down, in metres of
     /// pull.
     fn ends(&self) -> [f64; 2] {
-        let robot = self.problem.robot();
-        let (least, most) = robot.pull_range();
-        let far = (TURNS * TAU * robot.offset).min(robot.length);
+        let (least, most) = self.problem.pull_range();
+        let offset = self.problem.drive().pull_scale();
+        let far = (TURNS * TAU * offset).min(self.problem.length());
         [most, -least].map(|end| end.min(far))
     }
 
     /// Takes a shape that the walk has come to, and what is to be done next.
     fn step(&mut self, mut walk: Box<Walk>) -> Phase {
-        let step = STEP * self.problem.robot().offset;
+        let step = STEP * self.problem.drive().pull_scale();
         let ends = self.ends();
         let (side, end, gone) = match walk.way {
             Way::Up => (1.0, ends[0], 0.0),
@@ -366,8 +366,9 @@ impl PullSearch {
 
     fn share_of_halving(&mut self) {
         let grain = GRAIN * self.problem.length();
-        let widths =
-            std::iter::successors(Some(STEP * self.problem.robot().offset), |w| Some(0.5 * w));
+        let widths = std::iter::successors(Some(STEP * self.problem.drive().pull_scale()), |w| {
+            Some(0.5 * w)
+        });
         let levels = widths.take_while(|width| *width > grain).count().max(1);
         let share = (f64::from(self.deepest) / levels as f64).min(1.0);
         self.share = STEPPING + (1.0 - STEPPING) * share;

@@ -58,6 +58,11 @@ pub enum Forces {
     Ours,
     /// The paper's theory column.
     Papers,
+    /// Of a cable that slides without friction, computed here.
+    Sliding {
+        /// The cell's distance d from the straight backbone, in mm.
+        distance_mm: f64,
+    },
     /// The load cell's readings.
     Measured {
         /// The cell's distance d from the straight backbone, in mm.

@@ -5,6 +5,7 @@ use super::ExperimentError;
 use super::data::{CalibrationErrors, CellForces, Data, DiskForces, Forces};
 use super::item::{Check, Id, Item};
 use super::scenes::{PaperScene, picture, solved_at};
+use super::sliding_cell::SlidingCell;
 use super::table::{ForceRow, ForceTable};
 use super::tip::{WINDOW_MM, free_rates};
 use super::window::pull_window;
@@ -40,6 +41,9 @@ const AS_MEASURED: f64 = 0.2;
 /// steps between them: it comes once, and is met by a quarter of a millimetre.
 const REACH_MM: f64 = 10.0;
 const STEP_MM: f64 = 0.25;
+
+/// How far Fig. 8 and 9 have the cell from the straight backbone, in mm.
+const FIG_9_MM: f64 = 26.0;
 
 /// The paper's bound on the greatest error.
 const GREATEST_BOUND_G: f64 = 0.5;
@@ -78,6 +82,19 @@ fn calibrated_on(
 fn force_g(estimator: &VirtualWork, load_g: f64) -> f64 {
     grams(newtons(load_g) * estimator.force_per_load())
 }
+
+/// What a cable that slides without friction presses with.
+fn sliding(cell: &SlidingCell, distance_mm: f64) -> CellForces {
+    CellForces {
+        of: Forces::Sliding { distance_mm },
+        by_load_g: cell.by_load_g.clone(),
+    }
+}
+
+/// What is to be known of it.
+const ABOUT_SLIDING: &str = "The sliding cable runs through the disks with one tension all along, \
+    without friction and with nothing fitted; EI = 8000 N mm² was chosen, and its forces depend \
+    on it by a few percent at most. Friction in the holes and on the cell lowers the force.";
 
 /// Measured forces over loads at one distance.
 fn measured(table: &ForceTable, column: usize) -> CellForces {
@@ -120,7 +137,7 @@ fn about_friction(estimator: &VirtualWork, table: &ForceTable) -> Result<String,
     ))
 }
 
-pub(super) fn figure_9() -> Result<Item, ExperimentError> {
+pub(super) fn figure_9(table: &ForceTable) -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::LoadCell.problem()?;
     let onset = onset(&problem)?;
     let touching = solved_at(&problem, onset)?;
@@ -164,6 +181,12 @@ pub(super) fn figure_9() -> Result<Item, ExperimentError> {
             HEIGHT_MM,
         ),
         Check::ours("Pull at which it touches", "mm", onset).decimals(3),
+        Check::ours(
+            "The same of a cable that slides",
+            "mm",
+            millimetres(SlidingCell::at(FIG_9_MM, table)?.contact),
+        )
+        .decimals(3),
     ];
     let pull_mm = scene.pull_mm();
     let pressed = solved_at(&problem, pull_mm)?;
@@ -219,6 +242,8 @@ pub(super) fn figure_10a(table: &ForceTable) -> Result<Item, ExperimentError> {
     let mut forces = theories(table, &estimator).to_vec();
     // Fig. 8's 26 mm is nearest to the table's first distance.
     forces.push(measured(table, 0));
+    let cell = SlidingCell::at(table.distances_mm()[0], table)?;
+    forces.push(sliding(&cell, table.distances_mm()[0]));
     let mut checks: Vec<Check> = theory_checks(table, &estimator);
     let errors = table.errors(|row| force_g(&estimator, row.load_g));
     let first = |errors: &super::Errors| errors.by_distance_g[0];
@@ -245,6 +270,8 @@ pub(super) fn figure_10a(table: &ForceTable) -> Result<Item, ExperimentError> {
         "g",
         first(&errors),
     ));
+    let quantity = format!("Force over load, sliding cable without friction, d = {nearest} mm");
+    checks.push(Check::ours(quantity, "", cell.force_per_load()).decimals(4));
     Ok(Item {
         id: Id::Fig10a,
         title: "Force over load, third disk from the top",
@@ -256,6 +283,7 @@ pub(super) fn figure_10a(table: &ForceTable) -> Result<Item, ExperimentError> {
         pictures: Vec::new(),
         notes: vec![
             about_friction(&estimator, table)?,
+            ABOUT_SLIDING.to_owned(),
             "The paper's “maximum error less than 0.5 g” is said of this figure, at d = 26 mm; \
              Table 1's theory misses its own measurements at 24 mm by up to 1.9 g."
                 .to_owned(),
@@ -294,6 +322,12 @@ pub(super) fn figure_10b(table: &ForceTable) -> Result<Item, ExperimentError> {
             )
             .decimals(4),
         );
+        let cell = SlidingCell::at_node(CALIBRATION_MM, node, table)?;
+        let quantity = format!(
+            "… of a sliding cable without friction, d = {CALIBRATION_MM} mm (node {})",
+            node + 1
+        );
+        checks.push(Check::ours(quantity, "", cell.force_per_load()).decimals(4));
         disks.push(disk);
     }
     let caveats = VirtualWork::new(
@@ -373,6 +407,7 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
         ours.max_g,
         SAME_GREATEST_G,
     ));
+    let mut cells = Vec::new();
     for distance in distances {
         let (first, later) = multiplier_ratio(*distance)?;
         let rows = table.rows().iter();
@@ -391,8 +426,21 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
             .decimals(4),
         );
         checks.push(Check::ours(format!("… after 3 mm more of pull, {at}"), "", later).decimals(4));
+        let cell = SlidingCell::at(*distance, table)?;
+        checks.push(
+            Check::near(
+                format!("… sliding cable without friction, {at} (measured, through 0)"),
+                "",
+                through_zero(table, column),
+                cell.force_per_load(),
+                AS_MEASURED * mean,
+            )
+            .decimals(4),
+        );
+        cells.push(sliding(&cell, *distance));
     }
     let mut forces = theories(table, &estimator).to_vec();
+    forces.extend(cells);
     forces.extend((0..distances.len()).map(|column| measured(table, column)));
     Ok(Item {
         id: Id::Table1,
@@ -409,6 +457,7 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
         pictures: Vec::new(),
         notes: vec![
             about_friction(&estimator, table)?,
+            ABOUT_SLIDING.to_owned(),
             "The multipliers of eq. 5 give a force too, and need neither μ nor a measurement. They \
              start much too low: the model shortens every cable segment equally, so that near \
              contact shear gives way where a real cable would slide and the disks press."
@@ -420,6 +469,14 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
                 .to_owned(),
         ],
     })
+}
+
+/// The measured F/P_l at a distance, by least squares through 0.
+fn through_zero(table: &ForceTable, column: usize) -> f64 {
+    let rows = table.rows().iter();
+    let sums = rows.map(|row| (row.load_g * row.measured_g[column], row.load_g * row.load_g));
+    let (product, square) = sums.fold((0.0, 0.0), |all, one| (all.0 + one.0, all.1 + one.1));
+    product / square
 }
 
 /// The average error over all, by the point that μ is calibrated on.

@@ -21,6 +21,7 @@ pub mod measured_csv;
 mod scenes;
 mod shape_fit;
 mod shapes;
+mod sliding_cell;
 mod table;
 mod tip;
 mod window;
@@ -78,7 +79,7 @@ pub fn reproduce(id: Id, table: &ForceTable) -> Result<Item, ExperimentError> {
         Id::Fig4b => shapes::figure_4b(),
         Id::Fig5 => shapes::figure_5(),
         Id::Fig7 => tip::figure_7(),
-        Id::Fig9 => load_cell::figure_9(),
+        Id::Fig9 => load_cell::figure_9(table),
         Id::Fig10a => load_cell::figure_10a(table),
         Id::Fig10b => load_cell::figure_10b(table),
         Id::Table1 => load_cell::table_1(table),

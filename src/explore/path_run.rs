@@ -56,7 +56,7 @@ impl PathRun {
     /// robot's; those outside the linkage's range are moved to its ends. The
     /// problem's own pull does not matter.
     pub fn new(problem: &Problem, pulls: Vec<f64>) -> Self {
-        let (least, most) = problem.robot().pull_range();
+        let (least, most) = problem.pull_range();
         let mut pulls = pulls;
         pulls.retain(|pull| pull.is_finite() && *pull != 0.0);
         for pull in &mut pulls {

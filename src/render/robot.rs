@@ -168,11 +168,22 @@ pub fn mesh(solved: &Solved, obstacles: &[Obstacle], theme: Theme, standing: &St
         line.insert(0, (line[0].0 - into * ends[0], ends[0]));
         line.push((backbone[n - 1] + over * ends[1], ends[1]));
         solids.tube(&line, sizes.backbone as f32, 18, &materials.backbone);
-        let cable = solved.cable().map(flat);
-        let mut cable = straight(&cable.collect::<Vec<_>>());
-        cable.insert(0, (cable[0].0 - into * ends[0], ends[0]));
-        cable.push((cable[n].0 + over * ends[1], ends[1]));
-        solids.tube(&cable, sizes.cable as f32, 12, &materials.cable);
+        for (index, driven) in solved.problem().drive().cables.iter().enumerate() {
+            let points: Vec<Flat> = solved.cable_points(index).into_iter().map(flat).collect();
+            let mut cable = straight(&points);
+            let end = nodes[points.len() - 1].normal();
+            let end = match points.len() == nodes.len() {
+                true => ends[1],
+                false => Flat::new(end.x as f32, end.y as f32),
+            };
+            cable.insert(0, (cable[0].0 - into * ends[0], ends[0]));
+            cable.push((cable[points.len()].0 + over * end, end));
+            let diameter = match index {
+                0 => sizes.cable,
+                _ => driven.cable.diameter,
+            };
+            solids.tube(&cable, diameter as f32, 12, &materials.cable);
+        }
     }
     let mut overlay = Triangles::default();
     let mut glows = Vec::new();

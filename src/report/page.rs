@@ -74,6 +74,13 @@ pub fn html(items: &[Item], pictures: &[Vec<Figure>]) -> Result<String, ChartErr
          presence of obstacles”, by Sinew {}.</p>",
         env!("CARGO_PKG_VERSION")
     );
+    body.push_str(
+        "<p>What each model assumes: <em>virtual work</em>, the paper’s eq. 11, takes the motion \
+         of the free robot and one measured force for that of the robot in contact; the \
+         <em>multipliers</em> of its eq. 5 hold the cable in every disk, so that all its segments \
+         shorten alike; the <em>sliding cable</em> runs through the disks with one tension all \
+         along, here without friction.</p>\n",
+    );
     body.push_str(&tally(items));
     body.push_str("<nav aria-label=Contents>");
     for item in items {

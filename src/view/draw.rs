@@ -2,6 +2,7 @@
 //! in the world; colours are [`super::Theme`]'s business.
 
 use super::bounds::Bounds;
+use super::cables;
 use super::drawing::{Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Most, Role, Spot};
 use super::outcome::standing;
 use super::path::{Outline, Path, clip_half_plane, hatching, outline};
@@ -11,8 +12,8 @@ use crate::contact::{Class, Contact};
 use crate::equilibrium::{Solution, Solved};
 use crate::forces::Stiffness;
 use crate::geometry::Vector;
-use crate::mechanics::Problem;
-use crate::robot::{PlanarNode, Sizes};
+use crate::mechanics::{Input, Model, Problem};
+use crate::robot::{Line, PlanarNode, Sizes};
 use crate::scene::Scene;
 use crate::units::{RAD2_PER_MM, degrees, grams, millimetres, per_millimetre};
 
@@ -111,8 +112,22 @@ pub fn draw_on_the_way(solved: &Solved, to: &Problem, notes: &Notes) -> Drawing 
             marks.push(mark(role, Geometry::Path(across), sizes.disk));
         }
     }
-    let cable = solved.cable();
-    add_path(&mut marks, Role::Cable, cable, sizes.cable);
+    let cables = nodes.first().map_or(0, |_| problem.drive().cables.len());
+    for index in 0..cables {
+        let Some((path, is_slack)) = cables::line(solved, index) else {
+            continue;
+        };
+        let diameter = match index {
+            0 => sizes.cable,
+            _ => problem.drive().cables[index].cable.diameter,
+        };
+        let role = if is_slack {
+            Role::SlackCable
+        } else {
+            Role::Cable
+        };
+        marks.push(mark(role, Geometry::Path(path), diameter));
+    }
     add_path(
         &mut marks,
         Role::Backbone,
@@ -323,16 +338,35 @@ fn labels(
 fn caption(solved: &Solved, to: &Problem, notes: &Notes) -> Caption {
     let solution = solved.solution();
     let mm = |value| Quantity::fixed(millimetres(value), 2, "mm");
-    let mut facts = vec![Fact {
-        name: "pull",
-        value: mm(solution.pull),
-    }];
-    // To the digits shown.
-    if facts[0].value != mm(to.pull()) {
-        facts.push(Fact {
-            name: "of",
-            value: mm(to.pull()),
-        });
+    let mut facts = Vec::new();
+    let mut fact = |name, value: Quantity, asked: Option<Quantity>| {
+        // To the digits shown.
+        let asked = asked.filter(|asked| *asked != value);
+        facts.push(Fact { name, value });
+        facts.extend(asked.map(|value| Fact { name: "of", value }));
+    };
+    if solution.cables.is_empty() {
+        fact("pull", mm(solution.pull), Some(mm(to.pull())));
+    }
+    let load = |load: f64| Quantity::fixed(grams(load), 1, "g");
+    let goals = to.drive().cables.iter().map(|driven| driven.input);
+    let inputs = solution.drive.cables.iter().map(|driven| driven.input);
+    for ((input, goal), state) in inputs.zip(goals).zip(&solution.cables) {
+        match (input, goal) {
+            (Input::Load(now), Input::Load(goal)) => fact("load", load(now), Some(load(goal))),
+            (Input::Load(now), Input::Pull(_)) => fact("load", load(now), None),
+            (Input::Pull(_), goal) => {
+                let name = match solved.problem().model() {
+                    Model::Sliding if state.is_slack => "slack, pull",
+                    _ => "pull",
+                };
+                let goal = match goal {
+                    Input::Pull(goal) => Some(mm(goal)),
+                    Input::Load(_) => None,
+                };
+                fact(name, mm(state.pull), goal);
+            }
+        }
     }
     if let Some(tip) = solution.nodes.last() {
         let turned = degrees(solved.problem().robot().base.angle - tip.angle);
@@ -355,7 +389,20 @@ fn caption(solved: &Solved, to: &Problem, notes: &Notes) -> Caption {
 /// drawn inside obstacles that they pass through.
 fn note(problem: &Problem) -> Option<String> {
     let candidates = problem.candidates();
-    if problem.obstacles().is_empty() || candidates.len() >= 2 * problem.robot().segments {
+    let robot = problem.robot();
+    let of_cables: usize = match problem.model() {
+        Model::Equal => robot.segments,
+        Model::Sliding => {
+            let cables = problem.drive().cables.iter();
+            let nodes = cables.map(|driven| driven.cable.last_disk * robot.segments_per_bay);
+            nodes.sum()
+        }
+    };
+    let has_body = candidates
+        .iter()
+        .any(|candidate| candidate.line == Line::BackboneLink);
+    let all = has_body || candidates.len() >= robot.segments + of_cables;
+    if problem.obstacles().is_empty() || all {
         return None;
     }
     let names: Vec<String> = candidates

@@ -66,8 +66,10 @@ pub enum Role {
     /// A disk that presses; the greatest of its multipliers as a share of the
     /// greatest of all.
     TouchedDisk(f64),
-    /// The cable.
+    /// A cable.
     Cable,
+    /// A cable that hangs loose, with its sag.
+    SlackCable,
     /// The backbone.
     Backbone,
     /// A node of the backbone.
@@ -96,6 +98,7 @@ impl Role {
             Role::Disk => "disk",
             Role::TouchedDisk(_) => "touched-disk",
             Role::Cable => "cable",
+            Role::SlackCable => "slack-cable",
             Role::Backbone => "backbone",
             Role::Node => "node",
             Role::Tip => "tip",

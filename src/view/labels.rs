@@ -142,7 +142,7 @@ fn ink(drawing: &Drawing, frame: &Frame) -> Vec<(Vector, f64)> {
         let mut weight = match mark.role {
             Role::Obstacle(_) | Role::TipTrace | Role::BaseHatch => 0.3,
             Role::Disk | Role::TouchedDisk(_) | Role::Base => 0.6,
-            Role::Cable | Role::Backbone | Role::Node | Role::Tip => 1.0,
+            Role::Cable | Role::SlackCable | Role::Backbone | Role::Node | Role::Tip => 1.0,
             Role::Force(_) => 1.5,
             Role::Contact { .. } => 6.0,
         };

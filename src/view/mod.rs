@@ -6,6 +6,7 @@
 //! the text once letters have a size. A [`Chart`] is curves over one abscissa.
 
 mod bounds;
+mod cables;
 mod chart;
 mod compared;
 mod draw;

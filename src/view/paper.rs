@@ -116,6 +116,10 @@ fn cell_forces(forces: &[CellForces]) -> Chart {
         let (name, style) = match curve.of {
             Forces::Ours => ("virtual work, ours".to_owned(), CurveStyle::Line),
             Forces::Papers => ("virtual work, paper".to_owned(), CurveStyle::Dashed),
+            Forces::Sliding { distance_mm } => (
+                format!("sliding cable, no friction, d = {distance_mm} mm"),
+                CurveStyle::Line,
+            ),
             Forces::Measured { distance_mm } => {
                 (format!("measured, d = {distance_mm} mm"), CurveStyle::Dots)
             }

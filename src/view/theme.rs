@@ -271,6 +271,7 @@ impl Theme {
             Role::Disk => line(palette.disk, 1.75),
             Role::TouchedDisk(share) => line(self.contact(share), 2.75),
             Role::Cable => line(palette.cable, 1.75),
+            Role::SlackCable => line(palette.cable.faded(0.7), 1.0),
             Role::Backbone => line(palette.ink, 3.5),
             Role::Node => Style {
                 fill: Some(palette.node.faded(0.9)),

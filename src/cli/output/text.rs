@@ -113,7 +113,11 @@ fn one_of_several(
 ) -> io::Result<()> {
     let name = format!("cable {index}");
     let offset = limits::shown(cable.offset_mm);
-    write!(out, "  {name:<11}  at {offset} mm to disk {}: ", cable.to_disk)?;
+    write!(
+        out,
+        "  {name:<11}  at {offset} mm to disk {}: ",
+        cable.to_disk
+    )?;
     write!(out, "pull {}", pull(cable, goal))?;
     match (tension(cable, goal), goal) {
         (Some(_), _) if cable.slack => writeln!(out, ", slack"),
@@ -178,7 +182,10 @@ fn contacts(out: &mut impl Write, labels: &Labels, state: &Solution) -> io::Resu
         false => String::new(),
     };
     for (titles, text) in [
-        (["line", "node", "obstacle", "class"], ["force", "multiplier", "x", "y"]),
+        (
+            ["line", "node", "obstacle", "class"],
+            ["force", "multiplier", "x", "y"],
+        ),
         (["", "", "", ""], ["g", RAD2_PER_MM, "mm", "mm"]),
     ] {
         let [line, node, obstacle, class] = titles;
