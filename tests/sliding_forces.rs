@@ -2,7 +2,7 @@
 //! solver, and what happens to it where something is told wrongly.
 
 use sinew::contact::Class;
-use sinew::equilibrium::{Settings, Solution, Solved, Start, Status, solve};
+use sinew::equilibrium::{Caution, Settings, Solution, Solved, Start, Status, solve};
 use sinew::forces::{
     LoadSteps, Rates, Statics, Stiffness, Sweep, VirtualWork, Window, share_of_tension,
 };
@@ -278,8 +278,9 @@ fn the_free_tip_is_where_chords_put_it() {
 /// A shape that only its cable's length holds is told from one that a weight holds.
 #[test]
 fn what_is_stable_under_pull_alone_is_told() {
-    let (free, _) = solved(&format!("{ROBOT}{ONE_CABLE}pull_mm = 5\n"));
+    let (free, _) = solved(&format!("{ROBOT}[[cable]]\noffset_mm = -8\npull_mm = 5\n"));
     assert_eq!(free.rests_under_load(), Some(true));
+    assert_eq!(Caution::all(&free), []);
     // Of a shape that is stable under its pull, a weight holds it just where the tension
     // rises with the pull; over the tip of this robot it passes its greatest.
     let mut slipping = Scene::from_toml(include_str!("../assets/scenes/slip-off.toml")).unwrap();

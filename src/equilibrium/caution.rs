@@ -63,7 +63,7 @@ impl Caution {
         }
         let mut cautions = crossing::find(problem, &solved.nodes);
         cautions.extend(coil::find(problem, &solved.nodes));
-        if solved.energy_slope() * problem.robot().offset < -NO_SLOPE {
+        if solved.energy_slope() * problem.drive().pull_scale() < -NO_SLOPE {
             cautions.push(Caution::CablePushes);
         }
         cautions
