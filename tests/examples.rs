@@ -10,10 +10,10 @@ use sinew::contact::Class;
 use sinew::equilibrium::{
     Event, Occurrence, Run, Settings, Solution, Solved, Start, Status, solve,
 };
-use sinew::forces::{Rates, Sweep, VirtualWork, Window};
+use sinew::forces::{Rates, Stiffness, Sweep, VirtualWork, Window};
 use sinew::mechanics::Problem;
 use sinew::robot::Line;
-use sinew::scene::{Candidates, Scene};
+use sinew::scene::{Candidates, Mechanics, Scene};
 use sinew::units::{grams, metres, millimetres, newtons};
 
 fn example(id: &str) -> &'static Example {
@@ -125,7 +125,17 @@ fn examples_are_short_to_read_and_in_the_order_of_their_groups() {
     let place = |e: &Example| Group::ALL.iter().position(|group| *group == e.group);
     assert!(EXAMPLES.is_sorted_by_key(place));
     let titles: Vec<_> = Group::ALL.iter().map(|group| group.title()).collect();
-    assert_eq!(titles, ["The paper", "Try this"]);
+    let expect = [
+        "A cable that slides",
+        "The paper, in its own model",
+        "Try this, in the paper’s model",
+    ];
+    assert_eq!(titles, expect);
+    // What a group says of its mechanics is so.
+    for example in EXAMPLES {
+        let slides = scene(example.id).model.mechanics == Mechanics::Sliding;
+        assert_eq!(slides, example.group == Group::Sliding, "{}", example.id);
+    }
 }
 
 #[test]
@@ -166,6 +176,22 @@ fn two_discs_press_at_the_pulls_the_lesson_names() {
     }
     for pull_mm in [4.6, 5.2] {
         assert_ne!(pressing(&at("two-discs", pull_mm)), both, "{pull_mm}");
+    }
+}
+
+#[test]
+fn two_posts_press_under_half_a_kilogram_where_the_cable_slides() {
+    let both = BTreeSet::from([0, 1]);
+    for pull_mm in [5.35, 5.55, 5.75] {
+        assert_eq!(pressed(&at("two-posts", pull_mm)), both, "{pull_mm}");
+    }
+    assert_ne!(pressed(&at("two-posts", 4.9)), both);
+    let solution = at_its_pull("two-posts");
+    let stiffness = Stiffness::of_scene(&scene("two-posts")).unwrap().unwrap();
+    let per_bend = stiffness.per_bend(solution.problem());
+    for contact in &solution.contacts {
+        let force = grams(per_bend * contact.multiplier);
+        assert!((1.0..500.0).contains(&force), "{force} g");
     }
 }
 

@@ -117,7 +117,7 @@ fn a_saved_scene_is_reopened_as_it_was() {
     let saved = scene(&window).clone();
     desk.answer(Some("/home/a/first.toml"));
     ctrl(&mut window, Key::S);
-    assert_eq!(desk.offered(), ["two-discs-fig-4b.toml"]);
+    assert_eq!(desk.offered(), ["two-posts.toml"]);
     assert!(!bench(&window).document.is_changed());
     assert!(says(&window, "Saved first.toml"));
     // Saved again without a question.
@@ -572,7 +572,7 @@ fn a_measured_backbone_is_dropped_compared_and_fitted() {
     assert!(says(&window, "0.00 mm"));
     pull(&mut window, 4.0);
     press(&mut window, "Find the best pull");
-    assert!(says(&window, "Best pull 4.90 mm"));
+    assert!(says(&window, "Best pull 5.55 mm"));
     press(&mut window, "Apply");
     assert!((scene(&window).pull_mm() - measured_at).abs() < 1e-3);
     let before = scene(&window).clone();
@@ -769,11 +769,11 @@ fn examples_open_from_cards_with_real_drawings() {
     assert!(!window.state().is_covered());
     // By keyboard: the first card has the focus.
     ctrl(&mut window, Key::E);
-    let first = window.get_by_label_contains("Two discs (Fig. 4b).");
+    let first = window.get_by_label_contains("Two posts.");
     assert!(first.is_focused());
     window.key_press(Key::Enter);
     window.run();
-    assert_eq!(scene(&window).title.as_deref(), Some("Two discs (Fig. 4b)"));
+    assert_eq!(scene(&window).title.as_deref(), Some("Two posts"));
     // Over unsaved work it asks, and giving up leads back to the cards.
     pull(&mut window, 2.0);
     edit(&mut window);
@@ -841,7 +841,7 @@ fn the_canvas_is_exported_as_svg_and_png() {
     assert_eq!(pixels.width(), 2 * width);
     assert_eq!(
         desk.offered(),
-        ["two-discs-fig-4b.svg", "two-discs-fig-4b.png"]
+        ["two-posts.svg", "two-posts.png"]
     );
 }
 

@@ -377,7 +377,8 @@ fn cautions_stand_beside_the_certificate_with_what_helps() {
 
 #[test]
 fn a_branch_that_ends_is_told_with_its_reason() {
-    let mut window = first();
+    let two_discs = Scene::from_toml(include_str!("../assets/scenes/two-discs.toml")).unwrap();
+    let mut window = window(Some(two_discs), [1280.0, 800.0], Theme::Light);
     let work = window.state_mut().bench_mut();
     // The robot that leans on both discs slips off before this.
     work.document.scene.set_pull_mm(16.0);

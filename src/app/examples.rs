@@ -21,7 +21,9 @@ pub struct Example {
 /// A heading of the gallery.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
-    /// What the paper describes.
+    /// Robots whose cables slide: true forces.
+    Sliding,
+    /// What the paper describes, in the paper's model.
     Paper,
     /// What was made up to show one thing.
     TryThis,
@@ -29,13 +31,14 @@ pub enum Group {
 
 impl Group {
     /// All of them, in the order of the gallery.
-    pub const ALL: [Group; 2] = [Group::Paper, Group::TryThis];
+    pub const ALL: [Group; 3] = [Group::Sliding, Group::Paper, Group::TryThis];
 
     /// The heading.
     pub fn title(self) -> &'static str {
         match self {
-            Group::Paper => "The paper",
-            Group::TryThis => "Try this",
+            Group::Sliding => "A cable that slides",
+            Group::Paper => "The paper, in its own model",
+            Group::TryThis => "Try this, in the paper’s model",
         }
     }
 }
@@ -58,6 +61,13 @@ impl Example {
 /// All examples in the order of the gallery, group by group; the first is the
 /// one the window opens on.
 pub const EXAMPLES: &[Example] = &[
+    Example {
+        id: "two-posts",
+        title: "Two posts",
+        lesson: "The cable slides through the disks: each arrow is the force that a load cell would show there.",
+        group: Group::Sliding,
+        text: include_str!("../../assets/scenes/two-posts.toml"),
+    },
     Example {
         id: "two-discs",
         title: "Two discs (Fig. 4b)",

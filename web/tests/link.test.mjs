@@ -49,7 +49,7 @@ test('a broken link is told and opens the first example', async () => {
   ]) {
     const page = await open(link);
     const state = await page.state();
-    assert.match(state.title, /^Two discs/);
+    assert.match(state.title, /^Two posts/);
     assert.equal(state.notices.length, 1);
     assert.ok(state.notices[0].includes(says), `${says}: ${state.notices[0]}`);
   }

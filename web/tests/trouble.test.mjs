@@ -57,7 +57,7 @@ test('after a fault offers the scene', async () => {
     ]);
     assert.equal(download.suggestedFilename(), 'saved-scene.toml');
     const scene = readFileSync(await download.path(), 'utf8');
-    assert.match(scene, /^version = 2[^]*pull_mm = 4\.9/);
+    assert.match(scene, /^version = 2[^]*pull_mm = 5\.55/);
     await trouble.getByRole('button', { name: 'Reload' }).click();
     await page.until('the robot is settled again', (state) => state.settled);
   } finally {

@@ -20,7 +20,7 @@ pub use open::scene_from;
 use super::platform::{Destination, Errand, News};
 use super::words::{self, sentence, shown};
 use super::workbench::{Arrival, Asked, Intent, Notice, Saved, Trouble, Workbench};
-use crate::scene::{Candidates, Scene};
+use crate::scene::{Candidates, Mechanics, Scene};
 use eframe::egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
 
@@ -34,11 +34,18 @@ pub fn request(bench: &mut Workbench, intent: Intent, ctx: &Context) {
     }
 }
 
+/// The bending stiffness of a robot that is begun in the window, in N mm²: that
+/// of a rod of ABS, 3 mm thick.
+const STIFFNESS_NMM2: f64 = 8000.0;
+
 /// A scene that is begun in the window: the paper's robot with nothing around
-/// it, whose whole body may touch. The paper lets only nodes touch; whoever puts
-/// an obstacle between them would see it pass through the robot.
+/// it, its cable sliding, its stiffness known, so that what it presses with is
+/// told in grams. Its whole body may touch: the paper lets only nodes touch, and
+/// whoever puts an obstacle between them would see it pass through the robot.
 pub fn blank() -> Scene {
     let mut scene = Scene::default();
+    scene.model.mechanics = Mechanics::Sliding;
+    scene.robot.bending_stiffness_nmm2 = Some(STIFFNESS_NMM2);
     scene.contact.candidates = Candidates::Body;
     scene
 }

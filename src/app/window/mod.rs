@@ -30,7 +30,7 @@ use std::path::PathBuf;
 use stored::{Snapshot, Stored};
 
 /// The scene that the window opens on.
-const FIRST: &str = include_str!("../../../assets/scenes/two-discs.toml");
+const FIRST: &str = include_str!("../../../assets/scenes/two-posts.toml");
 
 /// The window's contents.
 pub struct Sinew {
