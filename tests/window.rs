@@ -12,7 +12,7 @@ use egui_kittest::SnapshotOptions;
 use egui_kittest::kittest::Queryable;
 use sinew::app::Views;
 use sinew::equilibrium::Status;
-use sinew::scene::Scene;
+use sinew::scene::{Drive, Scene};
 use sinew::units::grams;
 use window_harness::Window;
 
@@ -128,9 +128,42 @@ fn a_load_can_be_set_in_the_place_of_the_pull() {
         grams(newtons * slope)
     };
     assert!(window.bench().live.is_settled());
+    assert!((load(&window) - 300.0).abs() < 1e-6, "{}", load(&window));
+    // It is what is held: a softer robot bends farther under it.
+    assert_eq!(window.scene().cable(0).drive, Drive::LoadG(300.0));
+    let pull_mm = window.bench().pull_mm();
+    let robot = &mut window.harness.state_mut().bench_mut().document.scene.robot;
+    robot.bending_stiffness_nmm2 = Some(7000.0);
+    window.harness.run();
+    assert!((load(&window) - 300.0).abs() < 1e-6, "{}", load(&window));
+    assert!(window.bench().pull_mm() > pull_mm + 0.1);
+    // Without a stiffness there are no loads.
+    let robot = &mut window.harness.state_mut().bench_mut().document.scene.robot;
+    robot.bending_stiffness_nmm2 = None;
+    window.harness.run();
+    assert_eq!(window.scene().robot.bending_stiffness_nmm2, Some(7000.0));
+    // The other way round, what hangs there now is found.
+    window.harness.get_by_label("Set the pull").click();
+    window.harness.run();
     assert!((load(&window) - 300.0).abs() < 0.1, "{}", load(&window));
+    assert!(window.scene().cable(0).drive.pull_mm().is_some());
+    // With a pull held, a robot needs no stiffness, and offers no loads.
+    let robot = &mut window.harness.state_mut().bench_mut().document.scene.robot;
+    robot.bending_stiffness_nmm2 = None;
+    window.harness.run();
+    window.harness.get_by_label("Pull slider");
+    window.key(Key::L);
+    window.harness.get_by_label("Pull slider");
+}
 
-    // Without a stiffness there are no loads, and the pull is set again.
+#[test]
+fn in_the_papers_model_a_load_is_a_way_to_set_the_pull() {
+    let scene = example(include_str!("../assets/scenes/two-discs.toml"));
+    let mut window = Window::sized(SIZE, Theme::Light, scene);
+    window.key(Key::L);
+    window.harness.get_by_label("Load slider");
+    assert_eq!(window.scene().cable(0).drive, Drive::PullMm(4.9));
+    // Where no stiffness is known it goes.
     let robot = &mut window.harness.state_mut().bench_mut().document.scene.robot;
     robot.bending_stiffness_nmm2 = None;
     window.harness.run();

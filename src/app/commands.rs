@@ -48,6 +48,10 @@ pub enum Command {
     FromStraight,
     /// Changes from setting the pull to setting the load, or back.
     Load,
+    /// Changes from the sliding cable to the paper's model, or back.
+    Mechanics,
+    /// Draws the shape in the other mechanics, too, or no more.
+    Compare,
     /// Shows everything.
     Fit,
     /// Shows the plane alone.
@@ -202,6 +206,8 @@ pub const ALL: &[Entry] = &[
     entry(Command::Play, Group::Robot, "Play or pause", icons::PLAY, key(Key::Space)),
     entry(Command::FromStraight, Group::Robot, "Start from straight", icons::CLOCK_COUNTER_CLOCKWISE, key(Key::R)),
     entry(Command::Load, Group::Robot, "Set the load or the pull", icons::GAUGE, key(Key::L)),
+    entry(Command::Mechanics, Group::Robot, "Switch between sliding cable and paper’s model", icons::REPEAT, key(Key::M)),
+    entry(Command::Compare, Group::View, "Draw both models", icons::COPY, key(Key::O)),
     entry(Command::Fit, Group::View, "Show everything", icons::CORNERS_OUT, key(Key::F)),
     entry(Command::ViewPlane, Group::View, "Show the plane", icons::SQUARE, key(Key::Num1)),
     entry(Command::ViewSpace, Group::View, "Show the robot in space", icons::CUBE, key(Key::Num2)),

@@ -65,6 +65,23 @@ fn field(path: &str) -> Option<&'static str> {
         "base_mm[1]" => "base y",
         "base_angle_deg" => "base angle",
         "pull_mm" => "pull",
+        "load_g" => "load",
+        "bending_stiffness_nmm2" => "stiffness",
+        "cable" => "list of cables",
+        "to_disk" => "last disk of the cable",
+        "axial_stiffness_n" => "stiffness of the cable",
+        "disk_mass_g" => "mass of a disk",
+        "backbone_mass_g" => "mass of the backbone",
+        "holes" => "friction in the holes",
+        "contacts" => "friction at contacts",
+        "base_loss" => "loss at the base",
+        "tip_force_n" => "tip force",
+        "tip_force_n[0]" => "tip force x",
+        "tip_force_n[1]" => "tip force y",
+        "tip_moment_nmm" => "tip moment",
+        "gravity_m_s2" => "gravity",
+        "gravity_m_s2[0]" => "gravity x",
+        "gravity_m_s2[1]" => "gravity y",
         "candidates" => "contact parts",
         "listed" => "list of contact parts",
         "center_mm[0]" => "centre x",
@@ -99,6 +116,14 @@ pub fn refusal(fault: &SceneError) -> String {
     };
     let words: Vec<String> = rest.split(' ').map(said).collect();
     spoken(&format!("{subject}{}", words.join(" ")))
+}
+
+/// Why the scene cannot be had in the other mechanics, in the screen's words and
+/// without what to do about it: whoever asks stands before a switch.
+pub fn obstacle_to(fault: &SceneError) -> String {
+    let text = refusal(fault);
+    let said = text.split("; ").next().unwrap_or(&text);
+    spoken(said)
 }
 
 /// A word of a message, with a field's name in the place of its path.

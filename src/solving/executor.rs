@@ -86,8 +86,9 @@ impl Executor {
 mod tests {
     use super::super::tests::{live, measured, problem, search};
     use super::*;
+    use crate::equilibrium::{Settings, Start, solve};
     use crate::experiments::best_pull;
-    use crate::solving::{Answer, StartFrom};
+    use crate::solving::{Answer, StartFrom, Task};
 
     /// What an executor finds, in short, until it has nothing left to do.
     fn found(executor: &mut Executor) -> Vec<String> {
@@ -175,8 +176,35 @@ mod tests {
         };
         assert!(generation > 10, "{generation}");
         let alone = best_pull(&problem(), &measured(), |_| {});
-        let Answer::BestPull(fit) = answer;
-        assert_eq!(fit, alone.map(|(_, fit)| fit));
+        match answer {
+            Answer::BestPull(fit) => assert_eq!(fit, alone.map(|(_, fit)| fit)),
+            Answer::Shape(shape) => panic!("{shape:?}"),
+        }
+    }
+
+    #[test]
+    fn a_shape_that_is_asked_for_is_the_one_from_straight() {
+        let mut executor = Executor::default();
+        let problem = problem();
+        let task = Task::Shape {
+            problem: problem.clone(),
+        };
+        executor.take(Order::Task(TaskId(1), task));
+        let answer = loop {
+            match executor.work() {
+                Work::Found(Update::Answer { answer, .. }) => break *answer,
+                Work::Done => panic!("no answer"),
+                Work::More | Work::Found(_) => {}
+            }
+        };
+        let Answer::Shape(shape) = answer else {
+            panic!("{answer:?}");
+        };
+        let alone = solve(&problem, Start::Straight, Settings::default());
+        assert_eq!(
+            (shape.nodes, shape.energy),
+            (alone.nodes.clone(), alone.energy)
+        );
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //! another thread or to a worker, its work in slices, and its answer. Which
 //! task has its turn is the executor's business.
 
-use crate::equilibrium::Progress;
+use crate::equilibrium::{Progress, Run, Settings, Solution, Start};
 use crate::experiments::{Measured, PullSearch, ShapeError, ShapeFit};
 use crate::mechanics::Problem;
 use serde::{Deserialize, Serialize};
@@ -24,19 +24,28 @@ pub enum Task {
         /// What was measured of it.
         measured: Measured,
     },
+    /// The shape that a robot comes to from the straight one.
+    Shape {
+        /// The robot, what drives it and its obstacles.
+        problem: Problem,
+    },
 }
 
 /// What a task has led to.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub enum Answer {
     /// The distances that are left at the best pull, or why there is none.
     BestPull(Result<ShapeFit, ShapeError>),
+    /// The shape, of the problem asked for or of the last one on the way to it that
+    /// has an equilibrium.
+    Shape(Solution),
 }
 
 /// A task that was begun.
 #[derive(Debug)]
 pub(super) enum Doing {
     BestPull(Box<PullSearch>),
+    Shape(Box<(Problem, Run)>),
 }
 
 impl Doing {
@@ -45,6 +54,10 @@ impl Doing {
             Task::BestPull { problem, measured } => {
                 Self::BestPull(Box::new(PullSearch::new(problem, measured)))
             }
+            Task::Shape { problem } => {
+                let run = Run::new(&problem, Start::Straight, Settings::default());
+                Self::Shape(Box::new((problem, run)))
+            }
         }
     }
 
@@ -52,6 +65,7 @@ impl Doing {
     pub fn work(&mut self) -> Progress {
         match self {
             Self::BestPull(search) => search.advance(SLICE),
+            Self::Shape(shape) => shape.1.advance(SLICE),
         }
     }
 
@@ -59,6 +73,7 @@ impl Doing {
     pub fn share(&self) -> f64 {
         match self {
             Self::BestPull(search) => search.share(),
+            Self::Shape(shape) => shape.1.share(),
         }
     }
 
@@ -66,6 +81,10 @@ impl Doing {
     pub fn answer(self) -> Answer {
         match self {
             Self::BestPull(search) => Answer::BestPull(search.finish().map(|(_, fit)| fit)),
+            Self::Shape(shape) => {
+                let (problem, run) = *shape;
+                Answer::Shape(run.solved_for(&problem).into_solution())
+            }
         }
     }
 }

@@ -42,14 +42,16 @@ pub fn read_update(bytes: &[u8]) -> Result<Update, WireError> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{live, search};
+    use super::super::tests::{live, problem, search};
     use super::*;
-    use crate::solving::{Executor, StartFrom, TaskId, Work};
+    use crate::solving::{Executor, StartFrom, Task, TaskId, Work};
 
-    /// A live request, and one for a task.
-    fn orders() -> [Order; 2] {
+    /// A live request, and one for a task of each kind.
+    fn orders() -> [Order; 3] {
         let task = Order::Task(TaskId(3), search());
-        [live(7, StartFrom::Straight), task]
+        let problem = problem();
+        let shape = Order::Task(TaskId(4), Task::Shape { problem });
+        [live(7, StartFrom::Straight), task, shape]
     }
 
     /// All that an order leads to, as bytes.
@@ -76,7 +78,7 @@ mod tests {
 
     #[test]
     fn answers_are_the_same_after_the_wire() {
-        for (order, least) in orders().into_iter().zip([2, 10]) {
+        for (order, least) in orders().into_iter().zip([2, 10, 1]) {
             let found = answers(order);
             assert!(found.len() >= least);
             for bytes in found {

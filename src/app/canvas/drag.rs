@@ -6,7 +6,7 @@ use super::hit::{self, Target};
 use super::pull::TipMap;
 use super::view::Canvas;
 use crate::app::shapes::{self, Handle, Tool, drag, handles, moved, neat, vertices};
-use crate::app::workbench::{Playing, Selection, Workbench, pull_mm_of};
+use crate::app::workbench::{Playing, Selection, Workbench};
 use crate::geometry::Vector;
 use crate::scene::{Obstacle, Scene, Shape};
 use crate::units::{METRES_PER_MM, millimetres};
@@ -40,8 +40,15 @@ pub enum Dragged {
     Handle(usize, Handle, Shape),
     /// A new obstacle, which has this index.
     New(Tool, usize),
-    /// The tip, with the pull in metres that it stood for on a map.
-    Tip(TipMap, f64),
+    /// The tip.
+    Tip {
+        /// What tells the pull that belongs to its place.
+        map: TipMap,
+        /// The pull, in metres, that it stood for on the map.
+        stood: f64,
+        /// The pull, in mm, that it had.
+        pull_mm: f64,
+    },
 }
 
 impl Drag {
@@ -97,7 +104,15 @@ impl Drag {
                 bench.preferences.hints.tip = true;
                 let map = TipMap::of(bench);
                 match map.pull_for_tip(bench, at) {
-                    Some(pull) => Self::new(bench, Dragged::Tip(map, pull), origin),
+                    Some(stood) => {
+                        let pull_mm = bench.pull_mm();
+                        let what = Dragged::Tip {
+                            map,
+                            stood,
+                            pull_mm,
+                        };
+                        Self::new(bench, what, origin)
+                    }
                     None => Self::view(bench),
                 }
             }
@@ -170,11 +185,15 @@ impl Drag {
                     }
                 }
             }
-            Dragged::Tip(map, start) => {
+            Dragged::Tip {
+                map,
+                stood,
+                pull_mm,
+            } => {
                 if let Some(pull) = map.pull_for_tip(bench, at) {
                     let span = bench.span_mm();
-                    let by = millimetres(pull - start);
-                    let pull_mm = (pull_mm_of(&self.before) + by).clamp(span.0, span.1);
+                    let by = millimetres(pull - stood);
+                    let pull_mm = (pull_mm + by).clamp(span.0, span.1);
                     // A pull moves the tip by a few times its length.
                     bench.set_pull(neat(pull_mm, 0.5 * per_point), Playing::GoesOn);
                 }
@@ -198,13 +217,14 @@ impl Drag {
             Dragged::View => Target::Nothing,
             Dragged::Obstacle(index) | Dragged::New(_, index) => Target::Obstacle(*index),
             Dragged::Handle(index, handle, _) => Target::Handle(*index, *handle),
-            Dragged::Tip(..) => Target::Tip,
+            Dragged::Tip { .. } => Target::Tip,
         }
     }
 
     /// The numbers that are being dragged, by name.
-    pub fn reading(&self, scene: &Scene) -> Vec<(&'static str, Quantity)> {
-        let shape = |index: usize| scene.obstacles.get(index).map(|o| &o.shape);
+    pub fn reading(&self, bench: &Workbench) -> Vec<(&'static str, Quantity)> {
+        let obstacles = &bench.document.scene.obstacles;
+        let shape = |index: usize| obstacles.get(index).map(|o| &o.shape);
         match &self.what {
             Dragged::View => Vec::new(),
             Dragged::Obstacle(index) => shape(*index).map_or(Vec::new(), place_reading),
@@ -212,7 +232,7 @@ impl Drag {
             Dragged::Handle(index, handle, _) => {
                 shape(*index).map_or(Vec::new(), |shape| handle_reading(shape, *handle))
             }
-            Dragged::Tip(..) => vec![("Pull", mm(pull_mm_of(scene)))],
+            Dragged::Tip { .. } => vec![("Pull", mm(bench.pull_mm()))],
         }
     }
 }

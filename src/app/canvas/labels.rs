@@ -28,6 +28,14 @@ impl Default for Labels {
 }
 
 impl Labels {
+    /// What the labels cover of the screen.
+    pub fn areas(&self) -> impl Iterator<Item = Rect> + '_ {
+        self.placed.iter().map(|place| {
+            let corner = |at: Vector| pos2(at.x as f32, at.y as f32);
+            Rect::from_min_max(corner(place.area.least), corner(place.area.most))
+        })
+    }
+
     /// Paints the labels of a drawing, which `revision` tells from others,
     /// beside what is `taken` of the canvas.
     pub fn paint(

@@ -13,12 +13,14 @@ mod hover;
 mod keys;
 mod labels;
 mod menu;
+mod other;
 mod overlay;
 mod photo;
 mod pointer;
 mod pull;
 mod shade;
 mod tools;
+mod understated;
 mod view;
 
 pub use keys::hold_space;
@@ -103,6 +105,9 @@ fn picture(
         canvas.shade = None;
     }
     drawing(&painter, bench.live.drawing(), frame, theme);
+    if bench.preferences.compare {
+        other::outline(&painter, bench, frame, &tokens);
+    }
     if let Hovered::Obstacle(_) = lit {
         hover::paint(&painter, bench, lit, frame, rect, theme);
     }
@@ -111,6 +116,10 @@ fn picture(
     let drawn = (bench.live.drawing(), revision);
     let strip = canvas.strip;
     canvas.labels.paint(&painter, drawn, frame, strip, theme);
+    if bench.preferences.compare {
+        let taken = canvas.labels.areas();
+        other::forces(&painter, bench, frame, taken, &tokens);
+    }
     if let Some((index, shape)) = hit::selected(canvas.tool, bench, frame) {
         let under = match target {
             Target::Handle(of, handle) if of == index => Some(handle),
@@ -149,16 +158,17 @@ fn overlays(
     banner::rings(ui, &painter, canvas, bench, frame);
     tools::paint_draft(&painter, canvas, frame, pointer, &tokens);
     let calm = canvas.drag.is_none() && canvas.tool == Tool::Select;
-    let calm = calm && !bench.live.drawing().standing.is_greyed();
+    let calm = calm && !bench.live.drawing().standing.is_greyed() && !bench.preferences.compare;
     if calm && bench.hovering == Hovered::Nothing && bench.selection == Selection::Nothing {
         let found = bench.preferences.hints;
         hints::paint(found, &painter, &bench.live, frame, rect, &tokens);
     }
     canvas.strip = tools::show(ui, canvas, bench, rect);
+    understated::show(ui, bench, rect);
     banner::show(ui, bench, rect);
     let painter = ui.painter_at(rect);
     if let (Some(drag), Some(pointer)) = (&canvas.drag, pointer) {
-        let numbers = drag.reading(&bench.document.scene);
+        let numbers = drag.reading(bench);
         chip::reading(&painter, rect, pointer, &numbers, &tokens);
     }
     banner::refusal(ui, &painter, bench, rect, pointer);

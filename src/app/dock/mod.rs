@@ -3,6 +3,7 @@
 
 pub mod tables;
 
+use super::commands::Command;
 use super::files;
 use super::platform::Errand;
 use super::plots::{Link, Plot, PlotAction, PlotCache, PlotData};
@@ -210,6 +211,11 @@ fn act(bench: &mut Workbench, action: PlotAction) {
         } => files::export::plot(bench, &name, extension, bytes),
         PlotAction::AskStiffness => bench.selection = Selection::Robot,
         PlotAction::AskReading => files::pick(bench, Errand::Measurements),
+        PlotAction::Slide => {
+            if bench.allows(Command::Mechanics) {
+                bench.commands.push(Command::Mechanics);
+            }
+        }
     }
 }
 

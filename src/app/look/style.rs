@@ -51,6 +51,9 @@ pub struct Tokens {
     pub error: Color32,
     /// All is well.
     pub good: Color32,
+    /// The robot in the other mechanics: Okabe and Ito's purple, as bright as the
+    /// theme asks for.
+    pub other: Color32,
 }
 
 impl Tokens {
@@ -75,6 +78,7 @@ impl Tokens {
             warning: colour(palette.warning),
             error: Color32::from_rgb(0xb4, 0x23, 0x2a),
             good: Color32::from_rgb(0x1b, 0x7f, 0x5c),
+            other: Color32::from_rgb(0xa0, 0x4a, 0x84),
         };
         match theme {
             Theme::Light => common,
@@ -88,6 +92,7 @@ impl Tokens {
                 accent_soft: Color32::from_rgb(0x22, 0x38, 0x5c),
                 error: Color32::from_rgb(0xff, 0x7b, 0x72),
                 good: Color32::from_rgb(0x4f, 0xc0, 0x98),
+                other: Color32::from_rgb(0xe6, 0x9a, 0xcb),
                 ..common
             },
         }

@@ -1,9 +1,10 @@
 //! The panels around the canvas: bar, outline and inspector, transport with
-//! the status chip, the certificate. Where they are is the window's.
+//! the status chip, the switch of mechanics, the certificate. Where they are is the window's.
 
 mod bar;
 mod inspector;
 mod measured;
+mod mechanics;
 mod menu;
 mod outline;
 mod photo;
@@ -33,7 +34,8 @@ pub struct Panels {
 pub fn scene(ui: &mut Ui, panels: &mut Panels, bench: &mut Workbench) {
     let height = ui.available_height();
     ui.scope(|ui| outline::show(ui, &mut panels.outline, bench, 0.4 * height));
-    ui.add_space(20.0);
+    ui.add_space(16.0);
+    mechanics::show(ui, bench);
     inspector::show(ui, bench);
 }
 

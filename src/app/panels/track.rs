@@ -3,7 +3,7 @@
 
 use crate::app::look::{Tokens, fits_fingers, icon_font, icons};
 use crate::app::words;
-use crate::app::workbench::{Hovered, Loads, Playing, Workbench};
+use crate::app::workbench::{Held, Hovered, Playing, Workbench};
 use crate::equilibrium::{Event, Occurrence};
 use crate::units::{metres, millimetres};
 use eframe::egui::{
@@ -15,22 +15,37 @@ use eframe::egui::{
 /// is as high as all else.
 const HEIGHT: f32 = 20.0;
 
-/// Shows the slider in the width that is left: of the pull or, where `loads`
-/// are given, of the load.
-pub fn show(ui: &mut Ui, bench: &mut Workbench, loads: Option<&Loads>) {
+/// Shows the slider of what is held of the cable at hand, its pull or its load, in the
+/// width that is left.
+pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     ui.spacing_mut().slider_width = (ui.available_width() - 4.0).max(80.0);
     if !fits_fingers(ui) {
         ui.spacing_mut().interact_size.y = HEIGHT;
     }
-    let (span, response) = match loads {
-        Some(loads) => load_slider(ui, bench, loads),
-        None => pull_slider(ui, bench),
+    let cable = bench.cable();
+    let held = bench.held(cable);
+    let (span, response) = match held {
+        Held::Load => load_slider(ui, bench, cable),
+        Held::Pull => pull_slider(ui, bench, cable),
+    };
+    // The path is that of the first cable.
+    if cable != 0 {
+        return;
+    }
+    let loads = match held {
+        Held::Pull => None,
+        Held::Load => match bench.loads() {
+            Some(loads) => Some(loads),
+            None => return,
+        },
     };
     // Where egui puts the middle of the handle.
     let ends = response.rect.x_range().shrink(response.rect.height() / 2.5);
     let at = |pull: f64| {
         let pull_mm = millimetres(pull);
-        let value = loads.map_or(pull_mm, |loads| loads.load_g(pull_mm));
+        let value = loads
+            .as_ref()
+            .map_or(pull_mm, |loads| loads.load_g(pull_mm));
         let share = (value - span.0) / (span.1 - span.0).max(f64::MIN_POSITIVE);
         ends.min + share as f32 * (ends.max - ends.min)
     };
@@ -44,29 +59,31 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench, loads: Option<&Loads>) {
     }
 }
 
-fn pull_slider(ui: &mut Ui, bench: &mut Workbench) -> ((f64, f64), Response) {
-    let span = bench.span_mm();
-    let mut pull_mm = bench.pull_mm();
+fn pull_slider(ui: &mut Ui, bench: &mut Workbench, cable: usize) -> ((f64, f64), Response) {
+    let span = bench.span_mm_of(cable);
+    let mut pull_mm = bench.pull_mm_of(cable);
     let slider = Slider::new(&mut pull_mm, span.0..=span.1)
         .show_value(false)
         // A pull that nobody edits stays what it is, to the last digit.
         .clamping(SliderClamping::Edits)
         .max_decimals(3);
     let response = ui.add(slider).accessible_name("Pull slider");
-    bench.set_pull(pull_mm, Playing::GoesOn);
+    if response.changed() {
+        bench.set_pull_of(cable, pull_mm);
+    }
     (span, response)
 }
 
-fn load_slider(ui: &mut Ui, bench: &mut Workbench, loads: &Loads) -> ((f64, f64), Response) {
-    let span = (0.0, loads.most_g());
-    let mut load_g = loads.load_g(bench.pull_mm());
+fn load_slider(ui: &mut Ui, bench: &mut Workbench, cable: usize) -> ((f64, f64), Response) {
+    let span = (0.0, bench.most_g(cable).unwrap_or_default());
+    let mut load_g = bench.load_g(cable).unwrap_or_default();
     let slider = Slider::new(&mut load_g, span.0..=span.1)
         .show_value(false)
         .clamping(SliderClamping::Edits)
         .max_decimals(1);
     let response = ui.add(slider).accessible_name("Load slider");
     if response.changed() {
-        bench.set_pull(loads.pull_mm(load_g), Playing::GoesOn);
+        bench.set_load(cable, load_g);
     }
     (span, response)
 }

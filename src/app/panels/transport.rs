@@ -1,14 +1,19 @@
 //! The transport bar: playing the pull, its slider across the window with what
-//! happens on the way, and the load where the stiffness is known.
+//! happens on the way. Each cable is set by its pull or, where the stiffness is known,
+//! by its load; the other of the two stands beside it as it is found.
 
 use super::status::{self, StatusChip};
 use super::track;
 use crate::app::commands::Command;
 use crate::app::look::{Segment, icon_button, icons, segments};
-use crate::app::widgets::button;
-use crate::app::workbench::{Loads, Playing, Transport, Workbench};
+use crate::app::widgets::{button, row};
+use crate::app::workbench::{Held, Transport, Workbench};
+use crate::mechanics::Model;
+use crate::scene::limits::LOAD;
 use crate::view::Quantity;
-use eframe::egui::{Align, ComboBox, DragValue, Layout, Ui, vec2};
+use eframe::egui::{
+    Align, ComboBox, DragValue, Layout, RichText, Role, Sense, Ui, WidgetInfo, vec2,
+};
 
 /// Below this width, in points, the slider has a row of its own.
 const NARROW: f32 = 640.0;
@@ -16,8 +21,13 @@ const NARROW: f32 = 640.0;
 const SPARE: f32 = 800.0;
 /// Below this width there is no room for the play button but beside the slider.
 const CRAMPED: f32 = 364.0;
-/// Width of the field of what is set, in points.
+/// Below this width there is no room for what is found beside what is set.
+const FOUND_TOO: f32 = 1080.0;
+/// Width of the field of what is set, in points, and of what is found.
 const FIELD: f32 = 84.0;
+const FOUND: f32 = 60.0;
+/// A robot of more cables has a list of them, in the place of a rail.
+const FEW: usize = 4;
 
 /// Shows the transport bar with the status chip at its right end.
 pub fn show(ui: &mut Ui, chip: &mut StatusChip, bench: &mut Workbench) {
@@ -25,11 +35,11 @@ pub fn show(ui: &mut Ui, chip: &mut StatusChip, bench: &mut Workbench) {
     let row = vec2(bar, ui.spacing().interact_size.y);
     let layout = Layout::right_to_left(Align::Center);
     let narrow = bar < NARROW;
-    let loads = ui.allocate_ui_with_layout(row, layout, |ui| {
+    ui.allocate_ui_with_layout(row, layout, |ui| {
         ui.spacing_mut().item_spacing.x = 16.0;
         status::show(ui, chip, bench, bar);
         let layout = Layout::left_to_right(Align::Center);
-        let controls = ui.with_layout(layout, |ui| {
+        ui.with_layout(layout, |ui| {
             ui.spacing_mut().item_spacing.x = 8.0;
             if bar >= CRAMPED {
                 play(ui, bench);
@@ -40,13 +50,15 @@ pub fn show(ui: &mut Ui, chip: &mut StatusChip, bench: &mut Workbench) {
                 button(ui, bench, Command::FromStraight);
                 ui.add_space(8.0);
             }
-            let loads = actuation(ui, bench);
-            if !narrow {
-                track::show(ui, bench, loads.as_ref());
+            cables(ui, bench);
+            actuation(ui, bench);
+            if bar >= FOUND_TOO {
+                found(ui, bench);
             }
-            loads
+            if !narrow {
+                track::show(ui, bench);
+            }
         });
-        controls.inner
     });
     if narrow {
         // A finger needs the whole width.
@@ -55,7 +67,7 @@ pub fn show(ui: &mut Ui, chip: &mut StatusChip, bench: &mut Workbench) {
             if bar < CRAMPED {
                 play(ui, bench);
             }
-            track::show(ui, bench, loads.inner.as_ref());
+            track::show(ui, bench);
         });
         ui.add_space(8.0);
     }
@@ -108,12 +120,47 @@ fn speed(ui: &mut Ui, transport: &mut Transport) {
     combo.response.on_hover_text("Speed of playing");
 }
 
-/// What is set, pull or load, and its value. The loads, if it is they.
-fn actuation(ui: &mut Ui, bench: &mut Workbench) -> Option<Loads> {
-    let loads = bench.loads().filter(|_| bench.transport.by_load);
+/// Which cable slider and field are of, where there are several.
+fn cables(ui: &mut Ui, bench: &mut Workbench) {
+    let count = bench.document.scene.cable_count();
+    if count < 2 {
+        return;
+    }
+    let current = bench.cable();
+    if count > FEW {
+        ComboBox::from_id_salt("cable")
+            .width(72.0)
+            .selected_text(format!("Cable {}", current + 1))
+            .show_ui(ui, |ui| {
+                for cable in 0..count {
+                    let name = format!("Cable {}", cable + 1);
+                    ui.selectable_value(&mut bench.transport.cable, cable, name);
+                }
+            });
+        return;
+    }
+    let names: Vec<(String, String)> = (1..=count)
+        .map(|number| (number.to_string(), format!("Cable {number}")))
+        .collect();
+    let shown: Vec<Segment<'_>> = names
+        .iter()
+        .map(|(name, title)| Segment {
+            name,
+            title,
+            tip: format!("Set {}", title.to_lowercase()),
+            enabled: true,
+        })
+        .collect();
+    if let Some(chosen) = segments(ui, 28.0, &shown, Some(current)) {
+        bench.transport.cable = chosen;
+    }
+}
+
+/// What is set, pull or load, and its value.
+fn actuation(ui: &mut Ui, bench: &mut Workbench) {
     let known = bench.document.stiffness().is_some();
     let tip = if known {
-        "The load that hangs on the cable"
+        "Hold the load that hangs on the cable"
     } else {
         "A load can be set where the robot's stiffness is known"
     };
@@ -121,7 +168,7 @@ fn actuation(ui: &mut Ui, bench: &mut Workbench) -> Option<Loads> {
         Segment {
             name: "Pull",
             title: "Set the pull",
-            tip: "The length of cable that is drawn in".to_owned(),
+            tip: "Hold the length of cable that is drawn in".to_owned(),
             enabled: true,
         },
         Segment {
@@ -131,21 +178,48 @@ fn actuation(ui: &mut Ui, bench: &mut Workbench) -> Option<Loads> {
             enabled: known,
         },
     ];
-    let current = usize::from(loads.is_some());
+    let held = bench.held(bench.cable());
+    let current = usize::from(held == Held::Load);
     let chosen = segments(ui, 44.0, &shown, Some(current));
     if chosen.is_some_and(|chosen| chosen != current) {
         bench.commands.push(Command::Load);
     }
-    match &loads {
-        Some(loads) => load(ui, bench, loads),
-        None => pull(ui, bench),
+    match held {
+        Held::Load => load(ui, bench),
+        Held::Pull => pull(ui, bench),
     }
-    loads
+}
+
+/// The other quantity of the cable, as the solver finds it.
+fn found(ui: &mut Ui, bench: &Workbench) {
+    let cable = bench.cable();
+    let (name, value) = match bench.held(cable) {
+        Held::Load => {
+            let pull_mm = bench.pull_mm_of(cable);
+            ("Pull found", Quantity::fixed(pull_mm, 2, "mm"))
+        }
+        Held::Pull => match bench.load_g(cable) {
+            Some(load_g) => {
+                // As many digits as there is room for.
+                let decimals = usize::from(load_g < 1000.0);
+                ("Load found", Quantity::fixed(load_g, decimals, "g"))
+            }
+            None => return,
+        },
+    };
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(FOUND, ui.spacing().interact_size.y), Sense::hover());
+    let told = format!("{name}: {}", value.text());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &told));
+    let text = RichText::new(value.text()).small().weak();
+    row::text(ui, rect, text, Align::Min);
+    response.on_hover_text(told);
 }
 
 fn pull(ui: &mut Ui, bench: &mut Workbench) {
-    let (least, most) = bench.document.problem().robot().pull_range();
-    let mut pull_mm = bench.pull_mm();
+    let cable = bench.cable();
+    let (least, most) = bench.document.problem().pull_range();
+    let mut pull_mm = bench.pull_mm_of(cable);
     let range = track::round_inwards(least, most);
     let field = DragValue::new(&mut pull_mm)
         .speed(0.01)
@@ -153,17 +227,28 @@ fn pull(ui: &mut Ui, bench: &mut Workbench) {
         .fixed_decimals(2)
         .suffix(" mm");
     let size = vec2(FIELD, ui.spacing().interact_size.y);
-    ui.add_sized(size, field)
+    let response = ui
+        .add_sized(size, field)
         .accessible_name("Pull")
         .on_hover_text("Length of cable drawn in. Drag sideways or click to type.");
-    bench.set_pull(pull_mm, Playing::GoesOn);
+    if response.changed() {
+        bench.set_pull_of(cable, pull_mm);
+    }
 }
 
-fn load(ui: &mut Ui, bench: &mut Workbench, loads: &Loads) {
-    let mut load_g = loads.load_g(bench.pull_mm());
+fn load(ui: &mut Ui, bench: &mut Workbench) {
+    let cable = bench.cable();
+    let (Some(mut load_g), Some(most_g)) = (bench.load_g(cable), bench.most_g(cable)) else {
+        return;
+    };
+    // Where cables slide any load can be hung on one, whatever becomes of the robot.
+    let most_g = match bench.model() {
+        Model::Sliding => LOAD.max,
+        Model::Equal => most_g,
+    };
     let field = DragValue::new(&mut load_g)
         .speed(0.5)
-        .range(0.0..=loads.most_g())
+        .range(0.0..=most_g)
         // A shape that needs more was reached by its pull.
         .clamp_existing_to_range(false)
         .fixed_decimals(1)
@@ -176,6 +261,6 @@ fn load(ui: &mut Ui, bench: &mut Workbench, loads: &Loads) {
             "Load on the cable, 0 for the straight robot. Drag sideways or click to type.",
         );
     if response.changed() {
-        bench.set_pull(loads.pull_mm(load_g), Playing::GoesOn);
+        bench.set_load(cable, load_g);
     }
 }

@@ -131,4 +131,6 @@ pub enum PlotAction {
     AskStiffness,
     /// A force reading is to be given.
     AskReading,
+    /// The cable is to slide.
+    Slide,
 }

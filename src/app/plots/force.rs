@@ -7,11 +7,12 @@ use super::pane::{
     Asked, Quantities, Surface, Text, Whole, canvas, cell, curve, empty, header, hue, named,
     ordinate,
 };
-use crate::app::look::{Tokens, theme_of};
+use crate::app::look::{Tokens, icon, icons, theme_of};
 use crate::app::words;
 use crate::app::workbench::Hovered;
 use crate::contact::Class;
 use crate::explore::LoadPoint;
+use crate::mechanics::Model;
 use crate::scene::ForceReading;
 use crate::units::{grams, millimetres, newtons};
 use crate::view::{Axis, Chart, CurveStyle, Quantity, Series};
@@ -106,6 +107,7 @@ pub(super) fn show(
             }
         }
     }
+    asked = asked.or(understated(ui, data, &surface, &tokens));
     if data.readings().is_empty() || data.stiffness().is_none() {
         asked = asked.or(missing(ui, data, &surface));
     }
@@ -147,6 +149,30 @@ fn nothing(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> Option<Option
         return Some(None);
     }
     None
+}
+
+/// That the multipliers' forces are the paper's, with the way to true ones.
+fn understated(
+    ui: &mut Ui,
+    data: &PlotData<'_>,
+    surface: &Surface<'_>,
+    tokens: &Tokens,
+) -> Option<Asked> {
+    if data.problem().model() != Model::Equal || data.stiffness().is_none() {
+        return None;
+    }
+    let frame = surface.frame();
+    let size = vec2(150.0, 22.0);
+    // Above the way to what is missing.
+    let corner = frame.right_bottom() - size - vec2(8.0, 32.0);
+    let rect = eframe::egui::Rect::from_min_size(corner, size);
+    let text = RichText::new("Forces understated").size(12.0).weak();
+    let sign = icon(icons::WARNING).size(14.0).color(tokens.warning);
+    let button = eframe::egui::Button::new((sign, text)).frame_when_inactive(false);
+    let tip = "The paper’s model does not let the cable slide, so that its forces by multipliers \
+               come out too small. Click to let the cable slide.";
+    let response = ui.put(rect, button).on_hover_text(tip);
+    response.clicked().then_some(Asked::Slide)
 }
 
 /// How many of the estimate's assumptions do not hold; which, on hover.

@@ -52,6 +52,7 @@ pub fn show(
         }
         Asked::Stiffness => Some(PlotAction::AskStiffness),
         Asked::Reading => Some(PlotAction::AskReading),
+        Asked::Slide => Some(PlotAction::Slide),
     }
 }
 

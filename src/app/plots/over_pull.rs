@@ -141,7 +141,7 @@ impl Cursor {
         let hand = held.flatten().unwrap_or_else(|| reached(pointer));
         let pull = metres(value);
         let range = data.path.and_then(|path| path.range());
-        let (least, most) = range.unwrap_or(data.asked.robot().pull_range());
+        let (least, most) = range.unwrap_or(data.asked.pull_range());
         let bounds = surface.transform.bounds();
         let gap = NARROWEST * metres(bounds.width());
         match hand {

@@ -127,6 +127,8 @@ pub(super) enum Asked {
     Stiffness,
     /// A force reading is to be given.
     Reading,
+    /// The sliding cable.
+    Slide,
 }
 
 /// The header of a plot: what its ordinate is on the left, what the cursor

@@ -115,7 +115,7 @@ pub(super) fn show(
     let name = ordinate(&displacement, &tokens);
     let range = data.path.and_then(Path::range);
     let asked = header(ui, Plot::Tip, name, reading, |ui| {
-        window(ui, link, range.unwrap_or(data.asked.robot().pull_range()));
+        window(ui, link, range.unwrap_or(data.asked.pull_range()));
     });
     if !known {
         empty(ui, "The robot is being followed along its pull.", |_| {});

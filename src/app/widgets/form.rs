@@ -228,7 +228,8 @@ impl<'a> Form<'a> {
                 Kind::Angle => 0.5,
                 Kind::Count if ui.ctx().is_being_dragged(id) => 0.1 * step,
                 Kind::Count => step,
-                Kind::Plain => 0.005 * before.abs(),
+                // From nothing, too.
+                Kind::Plain => (0.005 * before.abs()).max(1e-3),
             };
             let least = match number.optional {
                 true => 0.0,

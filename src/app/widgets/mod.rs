@@ -1,14 +1,16 @@
-//! What the panels and tables are made of: rows, buttons of commands, and forms
-//! of fields.
+//! What the panels and tables are made of: rows, buttons of commands, forms of
+//! fields, and the mark on forces that are not to be believed.
 
 mod button;
 mod form;
 pub mod row;
 mod typed;
+mod understated;
 
 pub use button::button;
 pub use form::{Form, Number};
 pub use typed::Kind;
+pub use understated::{is_understated, understated};
 
 use crate::app::workbench::Workbench;
 use crate::scene::{Scene, SceneError};

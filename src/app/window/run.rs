@@ -9,7 +9,7 @@ use crate::app::panels::settings_id;
 use crate::app::platform::{Errand, PictureKind};
 use crate::app::shapes::copied;
 use crate::app::sheets::Sheet;
-use crate::app::workbench::{Intent, Rescale, Selection, Views};
+use crate::app::workbench::{Held, Intent, Rescale, Selection, Views};
 use crate::scene::Obstacle;
 use eframe::egui::{Context, Popup, Theme, ThemePreference, ViewportCommand};
 
@@ -77,7 +77,16 @@ impl Sinew {
             Command::Tool(tool) => self.canvas.take_tool(tool),
             Command::Play => bench.play_or_pause(),
             Command::FromStraight => bench.restart(),
-            Command::Load => bench.transport.by_load ^= true,
+            Command::Load => {
+                let cable = bench.cable();
+                let other = match bench.held(cable) {
+                    Held::Pull => Held::Load,
+                    Held::Load => Held::Pull,
+                };
+                bench.hold(cable, other);
+            }
+            Command::Mechanics => bench.switch_mechanics(),
+            Command::Compare => bench.preferences.compare ^= true,
             Command::Fit => {
                 bench.trace.clear();
                 self.canvas.fit_soon();

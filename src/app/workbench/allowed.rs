@@ -14,6 +14,7 @@ impl Workbench {
                 !kept
             }
             Command::Load => self.document.stiffness().is_some(),
+            Command::Mechanics => self.other.faults().is_empty(),
             Command::Duplicate => self.selection.obstacle().is_some(),
             Command::Deselect => {
                 self.is_in_hand

@@ -85,7 +85,7 @@ impl Live {
     /// of [`Request::span`].
     #[must_use = "it is to be given to the solver"]
     pub fn ask(&mut self, problem: &Problem, from: StartFrom, span: (f64, f64)) -> Request {
-        if !self.asked.same_but_for_pull(problem) {
+        if !shares_path(&self.asked, problem) {
             self.path_is_current = false;
             self.course += 1;
         }
@@ -259,6 +259,12 @@ impl Live {
     pub fn revision(&self) -> u64 {
         self.revision
     }
+}
+
+/// Whether what one robot does along the pull of its first cable the other does, too.
+fn shares_path(a: &Problem, b: &Problem) -> bool {
+    let others = |problem: &'_ Problem| problem.drive().cables.get(1..).map(<[_]>::to_vec);
+    a.same_but_for_pull(b) && others(a) == others(b)
 }
 
 #[cfg(test)]

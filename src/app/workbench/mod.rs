@@ -17,6 +17,7 @@ mod live;
 mod loads;
 mod measuring;
 mod notices;
+mod other;
 mod photos;
 mod preferences;
 mod pull;
@@ -34,9 +35,10 @@ pub use live::{Answered, Live};
 pub use loads::Loads;
 pub use measuring::{Basis, Best, Measuring, Search};
 pub use notices::{Notice, Notices, Tone};
+pub use other::Other;
 pub use photos::{Coming, Photograph, Photos, Scaling, photo_centre};
 pub use preferences::{Hints, Preferences, Rescale, Views};
-pub use pull::{Playing, pull_mm_of};
+pub use pull::{Held, Playing};
 pub use refusal::{Complaint, Refusal};
 pub use selection::{Hovered, Selection};
 pub use trace::Trace;
@@ -106,6 +108,8 @@ pub struct Workbench {
     pub photos: Photos,
     /// Measurements against the robot.
     pub measuring: Measuring,
+    /// The scene in the other mechanics.
+    pub other: Other,
 }
 
 impl Workbench {
@@ -140,6 +144,7 @@ impl Workbench {
             notices: Notices::default(),
             photos: Photos::default(),
             measuring: Measuring::default(),
+            other: Other::default(),
         };
         bench.restart();
         bench
@@ -206,6 +211,7 @@ impl Workbench {
                 Update::Share { task, share } => self.measuring.go_on(task, share),
                 Update::Answer { task, answer } => match *answer {
                     Answer::BestPull(fit) => self.measuring.end(task, fit),
+                    Answer::Shape(shape) => self.other.take(task, shape),
                 },
             }
         }
@@ -218,6 +224,7 @@ impl Workbench {
             self.trace.follow(&self.live);
             self.redraw();
         }
+        self.look_at_the_other();
     }
 
     /// Takes the scene as it has become and asks for its shape or, if it cannot
@@ -254,6 +261,9 @@ impl Workbench {
     /// it is over.
     pub fn settle(&mut self, ctx: &Context) {
         self.take_edits(ctx);
+        if self.look_at_the_other() {
+            ctx.request_repaint();
+        }
         let gesture = self.gesture(ctx);
         self.history.observe(&self.document.scene, gesture);
         if self.hovering != self.hovered {

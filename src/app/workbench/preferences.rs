@@ -36,6 +36,8 @@ pub struct Preferences {
     pub grid: bool,
     /// Whether the tip leaves a trace.
     pub trace: bool,
+    /// Whether the shape in the other mechanics is drawn, too.
+    pub compare: bool,
     /// Whether the outline and the inspector are open.
     pub outline: bool,
     /// Whether the plots are open.
@@ -92,6 +94,7 @@ impl Default for Preferences {
             field: true,
             grid: true,
             trace: true,
+            compare: false,
             outline: true,
             dock: true,
             theme: eframe::egui::ThemePreference::System,

@@ -1,11 +1,15 @@
-//! What drives the robot: the one place where it is read and set. Today that is
-//! the pull of a single cable.
+//! What drives the robot: the one place where it is read and set. Each cable is
+//! held by its pull or, where cables slide and the stiffness is known, by its load;
+//! the other of the two is what the solver finds. In the paper's model a load is only
+//! another way to set the pull.
 
 use super::document::Document;
+use super::live::Live;
 use super::transport::span_mm;
 use super::{Loads, Workbench};
-use crate::scene::Scene;
-use crate::units::metres;
+use crate::mechanics::{CableState, Model};
+use crate::scene::{Drive, Scene};
+use crate::units::{grams, metres, millimetres};
 
 /// What becomes of playing when the pull is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,24 +20,122 @@ pub enum Playing {
     Stops,
 }
 
-/// The pull of a scene, in mm.
-pub fn pull_mm_of(scene: &Scene) -> f64 {
-    scene.pull_mm()
+/// Which quantity of a cable is set, the other one being found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// The length drawn in.
+    Pull,
+    /// The load that hangs on it.
+    Load,
 }
 
 impl Workbench {
-    /// The pull, in mm.
-    pub fn pull_mm(&self) -> f64 {
-        pull_mm_of(&self.document.scene)
+    /// The cable that slider and field are of, from 0.
+    pub fn cable(&self) -> usize {
+        let count = self.document.scene.cable_count();
+        self.transport.cable.min(count.saturating_sub(1))
     }
 
-    /// Sets the pull, in mm. Where it is beyond what the robot can do, the edit
-    /// is taken back like any other.
+    /// What of a cable is set.
+    pub fn held(&self, cable: usize) -> Held {
+        match (self.model(), self.document.scene.cable(cable).drive) {
+            (Model::Sliding, Drive::LoadG(_)) => Held::Load,
+            (Model::Sliding, Drive::PullMm(_)) => Held::Pull,
+            // Beside it in the window, and only as long as it amounts to a pull.
+            (Model::Equal, _) if self.transport.by_load && self.loads().is_some() => Held::Load,
+            (Model::Equal, _) => Held::Pull,
+        }
+    }
+
+    /// Sets the other quantity of a cable from now on, with the value that it has. Not
+    /// where that is not known.
+    pub fn hold(&mut self, cable: usize, held: Held) {
+        if self.model() == Model::Equal {
+            self.transport.by_load = held == Held::Load;
+            return;
+        }
+        if held == self.held(cable) {
+            return;
+        }
+        let drive = match held {
+            Held::Pull => Drive::PullMm(rounded(self.pull_mm_of(cable), PULL_GRAIN_MM)),
+            Held::Load => match self.load_g(cable) {
+                Some(load_g) => Drive::LoadG(rounded(load_g, LOAD_GRAIN_G)),
+                None => return,
+            },
+        };
+        self.document.scene.set_drive(cable, drive);
+    }
+
+    /// How the cables of the last sound scene lie along the robot.
+    pub fn model(&self) -> Model {
+        self.document.problem().model()
+    }
+
+    /// What was found of a cable, if anything.
+    pub fn found(&self, cable: usize) -> Option<CableState> {
+        found(&self.live, cable)
+    }
+
+    /// The pull of the first cable, in mm: set or found.
+    pub fn pull_mm(&self) -> f64 {
+        self.pull_mm_of(0)
+    }
+
+    /// The pull of a cable, in mm: set or found.
+    pub fn pull_mm_of(&self, cable: usize) -> f64 {
+        pull_mm_in(&self.document.scene, &self.live, cable)
+    }
+
+    /// The load on a cable, in g, at least 0: set or found. `None` where the stiffness
+    /// is not known, or nothing is found.
+    pub fn load_g(&self, cable: usize) -> Option<f64> {
+        if self.model() == Model::Equal {
+            return Some(self.loads()?.load_g(self.pull_mm()));
+        }
+        match self.document.scene.cable(cable).drive {
+            Drive::LoadG(load_g) => Some(load_g),
+            Drive::PullMm(_) => {
+                let newtons = self.document.newtons_per_multiplier()?;
+                Some(grams(newtons * self.found(cable)?.tension).max(0.0))
+            }
+        }
+    }
+
+    /// Sets the pull of the first cable, in mm. What is held stays held: where it is
+    /// the load, the one that this pull amounts to along the path is set, if that is
+    /// known. A pull beyond what the robot can do is taken back like any other edit.
     pub fn set_pull(&mut self, pull_mm: f64, playing: Playing) {
         if playing == Playing::Stops {
             self.transport.stop();
         }
-        self.document.scene.set_pull_mm(pull_mm);
+        if self.model() == Model::Equal || self.held(0) == Held::Pull {
+            self.document.scene.set_pull_mm(pull_mm);
+        } else if let Some(loads) = self.loads() {
+            let load_g = rounded(loads.load_g(pull_mm).max(0.0), LOAD_GRAIN_G);
+            self.document.scene.set_drive(0, Drive::LoadG(load_g));
+        }
+    }
+
+    /// Sets the pull of a cable, in mm, as what is held.
+    pub fn set_pull_of(&mut self, cable: usize, pull_mm: f64) {
+        let drive = Drive::PullMm(pull_mm);
+        self.document.scene.set_drive(cable, drive);
+    }
+
+    /// Sets the load on a cable, in g.
+    pub fn set_load(&mut self, cable: usize, load_g: f64) {
+        match self.model() {
+            Model::Sliding => {
+                let drive = Drive::LoadG(load_g.max(0.0));
+                self.document.scene.set_drive(cable, drive);
+            }
+            Model::Equal => {
+                if let Some(loads) = self.loads() {
+                    self.document.scene.set_pull_mm(loads.pull_mm(load_g));
+                }
+            }
+        }
     }
 
     /// Sets the pull, in mm, to the nearest that the slider offers.
@@ -42,42 +144,119 @@ impl Workbench {
         self.set_pull(pull_mm.clamp(least, most), playing);
     }
 
-    /// The pulls that the slider covers, in mm.
+    /// The pulls that the first cable's slider covers, in mm.
     pub fn span_mm(&self) -> (f64, f64) {
-        span_mm_of(&self.document)
+        self.span_mm_of(0)
     }
 
-    /// The loads in the place of the pulls; `None` where the stiffness is not
-    /// known, or the path not yet.
+    /// The pulls that a cable's slider covers, in mm.
+    pub fn span_mm_of(&self, cable: usize) -> (f64, f64) {
+        span_mm_at(&self.document, cable, self.pull_mm_of(cable))
+    }
+
+    /// The greatest load that a cable's slider offers, in g; `None` where the
+    /// stiffness is not known. Of the first cable it is the path's; of another the
+    /// one that bends the free robot to the end of the pulls.
+    pub fn most_g(&self, cable: usize) -> Option<f64> {
+        let most = match self.loads().filter(|_| cable == 0) {
+            Some(loads) => loads.most_g(),
+            None => {
+                let stiffness = self.document.stiffness()?.value();
+                let offset = metres(self.document.scene.cable(cable).offset_mm);
+                let length = self.document.problem().length();
+                let pull = metres(self.span_mm_of(cable).1);
+                grams(stiffness * pull / (offset * offset * length))
+            }
+        };
+        Some(match self.document.scene.cable(cable).drive {
+            Drive::LoadG(load_g) => most.max(load_g),
+            Drive::PullMm(_) => most,
+        })
+    }
+
+    /// The loads in the place of the pulls of the first cable; `None` where the
+    /// stiffness is not known, or the path not yet.
     pub fn loads(&self) -> Option<Loads> {
         Loads::of(&self.document, &self.live)
     }
 
     /// Plays on for some seconds, if the robot plays.
     pub fn play_on(&mut self, seconds: f64) {
-        let (span, mut pull_mm) = (self.span_mm(), self.pull_mm());
-        self.transport.advance(&mut pull_mm, span, seconds);
-        self.set_pull(pull_mm, Playing::GoesOn);
+        if self.transport.is_playing() {
+            self.play(|transport, pull_mm, span| transport.advance(pull_mm, span, seconds));
+        }
     }
 
     /// Starts to play, or stops.
     pub fn play_or_pause(&mut self) {
-        let (span, mut pull_mm) = (self.span_mm(), self.pull_mm());
-        self.transport.toggle(&mut pull_mm, span);
-        self.set_pull(pull_mm, Playing::GoesOn);
+        self.play(super::Transport::toggle);
+    }
+
+    /// Moves what is held of the cable at hand. A load goes over its span in the time
+    /// that a pull takes.
+    fn play(&mut self, step: impl FnOnce(&mut super::Transport, &mut f64, (f64, f64))) {
+        let cable = self.cable();
+        let span = self.span_mm_of(cable);
+        let most_g = self.most_g(cable).filter(|most_g| *most_g > 0.0);
+        match (self.held(cable), most_g, self.load_g(cable)) {
+            (Held::Load, Some(most_g), Some(load_g)) => {
+                let mut share = load_g / most_g * span.1;
+                step(&mut self.transport, &mut share, (0.0, span.1));
+                let moved_g = share / span.1 * most_g;
+                if moved_g != load_g {
+                    self.set_load(cable, moved_g);
+                }
+            }
+            (Held::Load, ..) => {}
+            (Held::Pull, ..) => {
+                let mut pull_mm = self.pull_mm_of(cable);
+                step(&mut self.transport, &mut pull_mm, span);
+                self.set_pull_of(cable, pull_mm);
+            }
+        }
     }
 }
 
-/// The pulls that the slider covers, in mm.
-fn span_mm_of(document: &Document) -> (f64, f64) {
-    let allowed = document.problem().robot().pull_range();
-    let scene = &document.scene;
-    span_mm(scene.offset_mm(), allowed, pull_mm_of(scene))
+/// A pull that was found is set to this, in mm, and a load to that, in g: far below
+/// what moves a pixel.
+const PULL_GRAIN_MM: f64 = 1e-4;
+const LOAD_GRAIN_G: f64 = 1e-3;
+
+/// The multiple of a grain that is nearest, without the digits that a product adds.
+fn rounded(value: f64, grain: f64) -> f64 {
+    let per_unit = (1.0 / grain).round();
+    (value * per_unit).round() / per_unit
 }
 
-/// The pulls that the path of a document covers, in metres.
+fn found(live: &Live, cable: usize) -> Option<CableState> {
+    live.solution()?.cables.get(cable).copied()
+}
+
+/// The pull of a cable, in mm: set or found.
+fn pull_mm_in(scene: &Scene, live: &Live, cable: usize) -> f64 {
+    match scene.cable(cable).drive {
+        Drive::PullMm(pull_mm) => pull_mm,
+        Drive::LoadG(_) => found(live, cable).map_or(0.0, |state| millimetres(state.pull)),
+    }
+}
+
+/// The pulls that a cable's slider covers, in mm, at a pull: to either side where there
+/// are antagonists.
+fn span_mm_at(document: &Document, cable: usize, pull_mm: f64) -> (f64, f64) {
+    let scene = &document.scene;
+    let allowed = document.problem().pull_range();
+    let offset_mm = scene.cable(cable).offset_mm.abs();
+    let (least, most) = span_mm(offset_mm, allowed, pull_mm);
+    match scene.cable_count() {
+        0 | 1 => (least, most),
+        _ => (least.min(-most), most),
+    }
+}
+
+/// The pulls that the path of a document covers, in metres. A pull that is found is
+/// not among what they depend on: the path is not to be followed anew for each.
 pub(super) fn span(document: &Document) -> (f64, f64) {
-    let (least, most) = span_mm_of(document);
+    let (least, most) = span_mm_at(document, 0, document.scene.pull_mm());
     (metres(least), metres(most))
 }
 

@@ -15,9 +15,12 @@ pub struct Transport {
     pub looping: bool,
     /// Millimetres of cable a second.
     pub speed_mm: f64,
-    /// Whether the slider and the field beside it set the load that hangs on the
-    /// cable, where the stiffness is known, in the place of the pull.
+    /// Whether in the paper's model, where the stiffness is known, the slider and the
+    /// field beside it set the load that hangs on the cable in the place of the pull.
+    /// Where cables slide it is the scene that says what is held.
     pub by_load: bool,
+    /// The cable that slider and field are of, where there are several, from 0.
+    pub cable: usize,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +36,7 @@ impl Default for Transport {
             looping: true,
             speed_mm: 2.0,
             by_load: false,
+            cable: 0,
         }
     }
 }

@@ -1,6 +1,8 @@
 //! What is selected, every field of it editable; or, where nothing is, what is
 //! known of the robot's shape.
 
+mod cables;
+mod loads;
 mod obstacle;
 mod robot;
 mod summary;

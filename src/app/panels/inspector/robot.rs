@@ -1,5 +1,6 @@
 //! The robot's fields.
 
+use super::{cables, loads};
 use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::widgets::{Form, Kind, Number, row, with_form};
 use crate::app::workbench::Workbench;
@@ -7,25 +8,63 @@ use crate::scene::limits::{
     ANGLE, BENDING_STIFFNESS, CABLE_OFFSET, COORDINATE, DISK_RADIUS, DISK_THICKNESS, LENGTH,
     LINE_DIAMETER, Limits, SEGMENTS,
 };
-use crate::scene::{Candidates, Contact, Robot, Scene};
+use crate::scene::{Candidates, Contact, Mechanics, Robot, Scene};
+use crate::view::Quantity;
 use eframe::egui::{self, Button, RichText, Ui, Vec2, WidgetInfo};
 
 /// Shows the robot's fields.
 pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     ui.label(RichText::new("Robot").font(semibold(14.0)));
     ui.add_space(4.0);
+    with_form(bench, |scene, form| backbone(ui, form, &mut scene.robot));
+    meaning(ui, bench);
+    ui.add_space(12.0);
+    row::heading(ui, "Disks and cable");
     with_form(bench, |scene, form| {
-        backbone(ui, form, &mut scene.robot);
-        ui.add_space(12.0);
-        row::heading(ui, "Disks and cable");
+        spacing(ui, &scene.robot);
         disks(ui, form, scene);
-        ui.add_space(12.0);
+    });
+    ui.add_space(12.0);
+    cables::show(ui, bench);
+    with_form(bench, |scene, form| {
+        if scene.model.mechanics == Mechanics::Sliding {
+            row::heading(ui, "Loads");
+            loads::show(ui, form, scene);
+            ui.add_space(12.0);
+        }
         row::heading(ui, "Base");
         base(ui, form, &mut scene.robot);
         ui.add_space(12.0);
         row::heading(ui, "Contact");
         contact(ui, form, &mut scene.contact);
     });
+}
+
+/// What the stiffness is good for.
+fn meaning(ui: &mut Ui, bench: &Workbench) {
+    let text = match bench.document.scene.robot.bending_stiffness_nmm2 {
+        Some(_) => "EI: twice as stiff a backbone needs twice the load for the same shape.",
+        None => "Without EI there are shapes, but no grams: no loads and no forces.",
+    };
+    let muted = Tokens::in_ui(ui).muted;
+    let text = RichText::new(text).small().color(muted);
+    ui.add(egui::Label::new(text).wrap());
+}
+
+/// How far apart the disks are, and how many there are beside the base's.
+fn spacing(ui: &mut Ui, robot: &Robot) {
+    let bays = robot.segments.checked_div(robot.segments_per_bay);
+    let Some(bays) = bays.filter(|bays| *bays > 0) else {
+        return;
+    };
+    let spacing_mm = robot.length_mm / f64::from(bays);
+    row::fact(ui, "Disks", "", &Quantity::fixed(bays.into(), 0, ""));
+    row::fact(
+        ui,
+        "Disk spacing",
+        "",
+        &Quantity::fixed(spacing_mm, 2, "mm"),
+    );
 }
 
 fn length<'a>(key: &str, name: &'a str, limits: Limits) -> Number<'a> {
@@ -68,6 +107,14 @@ fn backbone(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
 }
 
 fn disks(ui: &mut Ui, form: &mut Form<'_>, scene: &mut Scene) {
+    if scene.cables.is_empty() {
+        cable(ui, form, scene);
+    }
+    rim(ui, form, scene);
+}
+
+/// The one cable that is described with the robot.
+fn cable(ui: &mut Ui, form: &mut Form<'_>, scene: &mut Scene) {
     let Some(mut cable) = scene.each_cable().next() else {
         return;
     };
@@ -82,11 +129,16 @@ fn disks(ui: &mut Ui, form: &mut Form<'_>, scene: &mut Scene) {
     let number = Number::length(field, "Cable diameter", LINE_DIAMETER);
     form.number(ui, &number, &mut cable.diameter_mm);
     scene.set_cable_diameter_mm(cable.diameter_mm);
+}
+
+fn rim(ui: &mut Ui, form: &mut Form<'_>, scene: &mut Scene) {
+    let offsets = scene.each_cable().map(|cable| cable.offset_mm.abs());
+    let widest = offsets.fold(0.0, f64::max);
     let mut rim = scene.rim_mm();
     let robot = &mut scene.robot;
     let number = Number {
         limits: Limits {
-            min: cable.offset_mm,
+            min: widest,
             ..DISK_RADIUS
         },
         ..length("disk_radius_mm", "Disk radius", DISK_RADIUS)

@@ -3,7 +3,7 @@
 
 use crate::app::look::semibold;
 use crate::app::panels::status::Verdict;
-use crate::app::widgets::{row, with_form};
+use crate::app::widgets::{row, understated, with_form};
 use crate::app::workbench::Workbench;
 use crate::units::{degrees, millimetres, per_millimetre};
 use crate::view::Quantity;
@@ -40,13 +40,30 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     row::fact(ui, "Contacts", "", &Quantity::fixed(count, 0, ""));
     let written = Quantity::significant(per_millimetre(total), "rad²/mm");
     row::fact(ui, "Multipliers", "Σ λ", &written);
-    let tension = solution.energy_slope();
-    let forces = [total, tension].map(|it| bench.document.force(it));
-    if let [Some(total), Some(tension)] = forces {
-        row::fact(ui, "Forces", "Σ F", &total);
-        ui.add_space(12.0);
-        row::heading(ui, "Cable");
-        row::fact(ui, "Tension", "T", &tension);
+    let force = bench.document.force(total);
+    let tensions: Vec<(String, Option<Quantity>, bool)> = (0..solution.cables.len())
+        .map(|index| {
+            let cable = solution.cables[index];
+            let name = match solution.cables.len() {
+                1 => "Tension".to_owned(),
+                _ => format!("Tension {}", index + 1),
+            };
+            (name, bench.document.force(cable.tension), cable.is_slack)
+        })
+        .collect();
+    let Some(total) = force else {
+        return;
+    };
+    row::fact(ui, "Forces", "Σ F", &total);
+    understated(ui, bench);
+    ui.add_space(12.0);
+    row::heading(ui, "Cable");
+    for (name, tension, is_slack) in &tensions {
+        match tension {
+            _ if *is_slack => row::fact(ui, name, "T", &word("slack")),
+            Some(tension) => row::fact(ui, name, "T", tension),
+            None => {}
+        }
     }
 }
 

@@ -1,0 +1,280 @@
+//! The switch of mechanics in the window: where it is, what it keeps, what it says, and
+//! both models side by side; and what of each cable is held.
+
+mod window_harness;
+
+use eframe::egui::{Key, Modifiers, Theme};
+use egui_kittest::kittest::{NodeT, Queryable};
+use sinew::app::{Selection, Workbench};
+use sinew::equilibrium::{Settings, Start, solve};
+use sinew::mechanics::{Model, Problem};
+use sinew::scene::{Cable, Drive, Mechanics, Scene};
+use sinew::units::{grams, millimetres};
+use window_harness::Window;
+
+const TWO_DISCS: &str = include_str!("../assets/scenes/two-discs.toml");
+const TWO_POSTS: &str = include_str!("../assets/scenes/two-posts.toml");
+
+fn on(text: &str) -> Window {
+    Window::open(Some(Scene::from_toml(text).unwrap()))
+}
+
+fn edit(window: &mut Window, edit: impl FnOnce(&mut Scene)) {
+    edit(&mut window.harness.state_mut().bench_mut().document.scene);
+    window.harness.run();
+}
+
+fn click(window: &mut Window, name: &str) {
+    window.harness.get_by_label(name).click();
+    window.harness.run();
+}
+
+fn told(window: &Window, words: &str) -> bool {
+    let mut found = window.harness.query_all_by_label_contains(words);
+    found.next().is_some()
+}
+
+fn model(bench: &Workbench) -> Model {
+    assert!(bench.live.is_settled());
+    bench.live.solution().unwrap().problem().model()
+}
+
+/// Two cables on both sides of the backbone, which stretch.
+fn antagonists() -> Scene {
+    let mut scene = Scene::from_toml(TWO_POSTS).unwrap();
+    scene.obstacles.clear();
+    let one = Cable {
+        axial_stiffness_n: Some(20_000.0),
+        ..scene.cable(0)
+    };
+    scene.robot.cable_offset_mm = None;
+    scene.robot.cable_diameter_mm = 0.0;
+    scene.actuation = None;
+    let other = Cable {
+        offset_mm: -8.0,
+        drive: Drive::LoadG(100.0),
+        ..one
+    };
+    scene.cables = vec![one, other];
+    scene
+}
+
+#[test]
+fn the_window_and_new_scenes_begin_with_a_cable_that_slides() {
+    let mut window = Window::open(None);
+    assert_eq!(model(window.bench()), Model::Sliding);
+    let stiffness = |window: &Window| window.scene().robot.bending_stiffness_nmm2;
+    assert_eq!(stiffness(&window), Some(8000.0));
+    let solution = window.bench().live.solution().unwrap();
+    let newtons = window.bench().document.newtons_per_multiplier().unwrap();
+    for contact in &solution.contacts {
+        let force = grams(newtons * contact.multiplier);
+        assert!((1.0..500.0).contains(&force), "{force}");
+    }
+    window.key_with(Modifiers::COMMAND, Key::N);
+    assert!(window.scene().obstacles.is_empty());
+    assert_eq!(window.scene().model.mechanics, Mechanics::Sliding);
+    assert_eq!(stiffness(&window), Some(8000.0));
+    assert!(window.bench().live.is_settled());
+}
+
+#[test]
+fn one_click_switches_and_one_step_takes_it_back() {
+    let mut window = on(TWO_DISCS);
+    assert_eq!(model(window.bench()), Model::Equal);
+    let before = window.scene().clone();
+    let is_chosen = |window: &Window, name: &str| {
+        let node = window.harness.get_by_label(name);
+        node.accesskit_node().toggled() == Some(eframe::egui::accesskit::Toggled::True)
+    };
+    assert!(is_chosen(&window, "Take the paper’s model"));
+    click(&mut window, "Let the cable slide");
+    assert_eq!(model(window.bench()), Model::Sliding);
+    assert!(is_chosen(&window, "Let the cable slide"));
+    // The pull stays, and nothing else changes.
+    let mut expect = before.clone();
+    expect.model.mechanics = Mechanics::Sliding;
+    assert_eq!(*window.scene(), expect);
+    // What is written of it opens the same.
+    let text = window.scene().to_toml().unwrap();
+    assert_eq!(Scene::from_toml(&text).unwrap(), expect);
+    window.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(*window.scene(), before);
+    assert_eq!(model(window.bench()), Model::Equal);
+    // By a key, too.
+    window.key(Key::M);
+    assert_eq!(model(window.bench()), Model::Sliding);
+    window.key(Key::M);
+    assert_eq!(model(window.bench()), Model::Equal);
+    assert_eq!(*window.scene(), before);
+}
+
+#[test]
+fn what_the_papers_model_cannot_take_is_said_at_the_switch() {
+    let mut window = on(TWO_POSTS);
+    edit(&mut window, |scene| scene.loads.tip_force_n = [0.0, -0.1]);
+    assert!(told(
+        &window,
+        "The paper’s model cannot take this scene. Tip force is"
+    ));
+    let before = window.scene().clone();
+    window.key(Key::M);
+    assert_eq!(*window.scene(), before);
+    let switch = window.harness.get_by_label("Take the paper’s model");
+    assert!(switch.accesskit_node().is_disabled());
+    edit(&mut window, |scene| *scene = antagonists());
+    assert!(told(&window, "List of cables has 2 entries"));
+    // And no more, once it can.
+    edit(&mut window, |scene| {
+        scene.clone_from(&Scene::from_toml(TWO_POSTS).unwrap())
+    });
+    assert!(!told(&window, "cannot take this scene"));
+    window.key(Key::M);
+    assert_eq!(model(window.bench()), Model::Equal);
+}
+
+#[test]
+fn forces_of_the_papers_model_carry_a_mark_that_leads_to_true_ones() {
+    let mut window = on(TWO_DISCS);
+    window.harness.state_mut().bench_mut().selection = Selection::Nothing;
+    window.harness.run();
+    assert!(told(&window, "its contact forces are too small"));
+    // In the inspector, above the legend and in the force plot.
+    let marks = window
+        .harness
+        .query_all_by_label_contains("Forces understated");
+    assert_eq!(marks.count(), 3);
+    let mark = window
+        .harness
+        .query_all_by_label_contains("Forces understated");
+    mark.last().unwrap().click();
+    window.harness.run();
+    assert_eq!(model(window.bench()), Model::Sliding);
+    assert!(!told(&window, "understated") && !told(&window, "too small"));
+    // Multipliers without a stiffness are nobody's grams.
+    window.key(Key::M);
+    assert!(told(&window, "Forces understated"));
+    edit(&mut window, |scene| {
+        scene.robot.bending_stiffness_nmm2 = None
+    });
+    assert!(!told(&window, "Forces understated"));
+}
+
+#[test]
+fn both_stand_side_by_side_and_follow() {
+    let mut window = on(TWO_POSTS);
+    assert!(!told(&window, "Tension T:"));
+    click(&mut window, "Draw both models");
+    window.harness.run();
+    let mut other = window.scene().clone();
+    other.model.mechanics = Mechanics::Equal;
+    let check = |window: &Window, other: &Scene| {
+        let expect = solve(
+            &Problem::new(other).unwrap(),
+            Start::Straight,
+            Settings::default(),
+        );
+        let live = window.bench().live.solution().unwrap();
+        let x = |x: f64| format!("{:.2}", millimetres(x));
+        let line = format!(
+            "Tip x: Slides {} mm, Paper’s {} mm",
+            x(live.tip().position.x),
+            x(expect.tip().position.x)
+        );
+        assert!(told(window, &line), "{line}");
+        let compared = window.bench().other.solved().unwrap();
+        assert_eq!(compared.nodes, expect.nodes);
+    };
+    check(&window, &other);
+    assert!(told(&window, "lower: Slides 16.6 g, Paper’s 0.22 g"));
+    edit(&mut window, |scene| scene.set_pull_mm(5.0));
+    window.harness.run();
+    other.set_pull_mm(5.0);
+    check(&window, &other);
+    // An obstacle that moves, too.
+    edit(&mut window, |scene| {
+        scene.obstacles[0].shape.move_to_mm([36.0, 89.0])
+    });
+    window.harness.run();
+    other.obstacles[0].shape.move_to_mm([36.0, 89.0]);
+    check(&window, &other);
+    // It is a choice of the window, not of the scene.
+    let slides = window.scene().model.mechanics;
+    assert_eq!(slides, Mechanics::Sliding);
+    click(&mut window, "Draw both models");
+    assert!(!told(&window, "Tip x: Slides"));
+}
+
+#[test]
+fn dragging_the_tip_under_a_load_keeps_the_load_held() {
+    let mut window = on(TWO_POSTS);
+    window.key(Key::L);
+    let Drive::LoadG(before) = window.scene().cable(0).drive else {
+        panic!("{:?}", window.scene().cable(0).drive);
+    };
+    let tip = window.tip();
+    window.drag(&[tip, tip + eframe::egui::vec2(-40.0, -10.0)]);
+    let Drive::LoadG(after) = window.scene().cable(0).drive else {
+        panic!("{:?}", window.scene().cable(0).drive);
+    };
+    assert!(after < before - 10.0, "{before} {after}");
+    assert!(window.tip().x < tip.x - 10.0);
+    // It plays on in grams.
+    window.harness.key_press(Key::Space);
+    window.harness.run_steps(10);
+    let Drive::LoadG(played) = window.scene().cable(0).drive else {
+        panic!("{:?}", window.scene().cable(0).drive);
+    };
+    assert!(played > after);
+}
+
+#[test]
+fn each_of_two_cables_has_its_slider() {
+    let mut window = Window::open(Some(antagonists()));
+    assert!(window.bench().live.is_settled());
+    window.harness.get_by_label("Pull slider");
+    click(&mut window, "Cable 2");
+    window.harness.get_by_label("Load slider");
+    click(&mut window, "Set the pull");
+    assert!(window.scene().cable(1).drive.pull_mm().is_some());
+    assert_eq!(window.scene().cable(0).drive, Drive::PullMm(5.55));
+    // The same shape, held otherwise.
+    let state = window.bench().found(1).unwrap();
+    let newtons = window.bench().document.newtons_per_multiplier().unwrap();
+    assert!((grams(newtons * state.tension) - 100.0).abs() < 0.5);
+    click(&mut window, "Cable 1");
+    click(&mut window, "Set the load");
+    assert!(matches!(window.scene().cable(0).drive, Drive::LoadG(_)));
+    assert!(window.bench().live.is_settled());
+}
+
+#[test]
+fn the_inspector_tells_what_each_cable_does() {
+    let mut window = Window::sized([1280.0, 2400.0], Theme::Light, Some(antagonists()));
+    window.harness.state_mut().bench_mut().selection = Selection::Robot;
+    window.harness.run();
+    for words in [
+        "twice as stiff a backbone",
+        "Disk spacing 20.00 mm",
+        "Cable 1",
+        "Tension 100.0 g",
+        "Tip force x",
+        "Gravity y",
+    ] {
+        assert!(told(&window, words), "{words}");
+    }
+    edit(&mut window, |scene| scene.set_drive(1, Drive::LoadG(0.0)));
+    assert!(told(&window, "Tension slack"));
+    click(&mut window, "Remove the last");
+    assert_eq!(window.scene().cable_count(), 1);
+    window.harness.get_by_label_contains("Add a cable").click();
+    window.harness.run();
+    assert_eq!(window.scene().cable(1).offset_mm, -8.0);
+    assert_eq!(window.scene().cable(1).drive, Drive::LoadG(0.0));
+    assert!(window.bench().live.is_settled());
+    // The paper's robot has one cable, and no loads.
+    edit(&mut window, |scene| {
+        *scene = Scene::from_toml(TWO_DISCS).unwrap()
+    });
+    assert!(!told(&window, "Tip force x") && !told(&window, "Hold the load"));
+}
