@@ -839,10 +839,7 @@ fn the_canvas_is_exported_as_svg_and_png() {
         .parse()
         .unwrap();
     assert_eq!(pixels.width(), 2 * width);
-    assert_eq!(
-        desk.offered(),
-        ["two-posts.svg", "two-posts.png"]
-    );
+    assert_eq!(desk.offered(), ["two-posts.svg", "two-posts.png"]);
 }
 
 #[test]

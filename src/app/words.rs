@@ -5,7 +5,7 @@ use crate::app::look::icons;
 use crate::equilibrium::{Caution, Conflict, Event, Occurrence, Solution, Status};
 use crate::robot::Line;
 use crate::scene::{Obstacle, Scene, SceneError, Shape};
-use crate::units::millimetres;
+use crate::units::{grams, millimetres};
 use crate::view::{Quantity, reason};
 use std::path::Path;
 
@@ -221,10 +221,18 @@ pub fn caution(caution: &Caution, scene: &Scene) -> String {
     spoken(&caution.sentence(|index| obstacle_of(scene, index)))
 }
 
-/// What happened, after its pull.
+/// What happened, after the pull or the load at which it did.
 pub fn event(event: &Event, scene: &Scene) -> String {
-    let pull = Quantity::fixed(millimetres(event.pull), 2, "mm").text();
-    format!("{pull}: {}", occurrence(&event.what, scene))
+    format!("{}: {}", when(event), occurrence(&event.what, scene))
+}
+
+/// The pull at which something happened or, where the load was given, the load.
+pub fn when(event: &Event) -> String {
+    let at = match event.load {
+        Some(load) => Quantity::fixed(grams(load), 1, "g"),
+        None => Quantity::fixed(millimetres(event.pull), 2, "mm"),
+    };
+    at.text()
 }
 
 /// What happened, without its pull.
@@ -307,6 +315,32 @@ mod tests {
             }
         });
         assert!(text.ends_with("from -36000 to 36000 °."), "{text}");
+    }
+
+    #[test]
+    fn events_are_told_at_what_was_given() {
+        let told = |load| {
+            let event = Event {
+                pull: 4.9e-3,
+                load,
+                what: Occurrence::StartRefused,
+            };
+            when(&event)
+        };
+        assert_eq!(told(None), "4.90 mm");
+        assert_eq!(told(Some(9.80665)), "1000.0 g");
+    }
+
+    #[test]
+    fn what_keeps_from_a_switch_is_told_without_advice() {
+        let mut scene = Scene::default();
+        scene.loads.gravity_m_s2 = [0.0, -9.8];
+        let faults = crate::mechanics::Problem::faults(&scene);
+        assert_eq!(
+            obstacle_to(&faults[0]),
+            "Gravity is [0, -9.8] m/s², and nothing acts on the paper's model but its cable and \
+             obstacles."
+        );
     }
 
     #[test]

@@ -25,7 +25,7 @@ impl TipMap {
     /// The best map there is now.
     pub fn of(bench: &Workbench) -> Self {
         let live = &bench.live;
-        let pull = bench.document.problem().pull();
+        let pull = metres(bench.pull_mm());
         let known = live.path().filter(|path| {
             let range = path.range();
             let covers = range.is_some_and(|(least, most)| (least..=most).contains(&pull));

@@ -5,7 +5,7 @@ use crate::app::look::{Tokens, colour, theme_of};
 use crate::app::widgets::{
     Number,
     row::{self, Emphasis},
-    with_form,
+    understated, with_form,
 };
 use crate::app::words;
 use crate::app::workbench::{Hovered, Selection, Workbench};
@@ -139,6 +139,7 @@ pub fn contacts(ui: &mut Ui, bench: &mut Workbench, forces: Option<&Statics>) {
     ];
     if forces.is_some() {
         columns.push(column("Force, g", 64.0, 0.0, Align::Max));
+        understated(ui, bench);
     }
     table(ui, "contacts", &columns, count, |ui, places, index| {
         contact(ui, bench, forces, places, index);

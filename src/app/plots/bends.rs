@@ -112,7 +112,7 @@ pub(super) fn show(
 
 pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {
     table.write_record(["segment", "bend_deg", "shear_deg", "free_bend_deg"])?;
-    let free = cell(degrees(data.asked.robot().free_arc(data.asked.pull()).bend));
+    let free = cell(degrees(data.free_bend()));
     let angles = data.solved.bends.iter().zip(&data.solved.shears);
     for (index, (bend, shear)) in angles.enumerate() {
         let segment = (index + 1).to_string();

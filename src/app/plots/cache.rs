@@ -224,7 +224,7 @@ impl Shape {
         }
         steps(&mut self.bends, &solution.bends);
         steps(&mut self.shears, &solution.shears);
-        self.free_bend = degrees(data.asked.robot().free_arc(data.asked.pull()).bend);
+        self.free_bend = degrees(data.free_bend());
     }
 }
 

@@ -5,6 +5,7 @@ use crate::app::workbench::Hovered;
 use crate::equilibrium::Solved;
 use crate::explore::Path;
 use crate::forces::{Stiffness, Window};
+use crate::math::within;
 use crate::mechanics::Problem;
 use crate::scene::{ForceReading, Scene};
 
@@ -84,6 +85,14 @@ impl PlotData<'_> {
     /// The stiffness, where the scene has one.
     pub fn stiffness(&self) -> Option<Stiffness> {
         Stiffness::of_scene(self.scene).ok().flatten()
+    }
+
+    /// The bend of a segment of the free robot at the pull that the robot has, in
+    /// radians.
+    pub fn free_bend(&self) -> f64 {
+        let robot = self.problem().robot();
+        let (least, most) = robot.pull_range();
+        robot.free_arc(within(self.solved.pull, least, most)).bend
     }
 
     /// The force readings of the scene.

@@ -259,11 +259,10 @@ fn columns(ui: &mut Ui, cell: impl Fn(usize) -> (String, Option<Color32>, Option
 fn events(ui: &mut Ui, solution: &Solution, scene: &Scene) {
     for event in &solution.events {
         ui.horizontal_top(|ui| {
-            let pull = Quantity::fixed(millimetres(event.pull), 2, "mm").text();
             let layout = Layout::right_to_left(Align::Min);
             ui.allocate_ui_with_layout(vec2(72.0, 18.0), layout, |ui| {
                 ui.set_min_width(72.0);
-                ui.label(RichText::new(pull).small());
+                ui.label(RichText::new(words::when(event)).small());
             });
             let text = RichText::new(words::occurrence(&event.what, scene)).small();
             ui.add(Label::new(text).wrap());
