@@ -278,3 +278,35 @@ fn the_inspector_tells_what_each_cable_does() {
     });
     assert!(!told(&window, "Tip force x") && !told(&window, "Hold the load"));
 }
+
+#[test]
+fn a_force_on_the_tip_is_dragged_out_of_it_and_taken_back() {
+    let mut window = on(TWO_POSTS);
+    edit(&mut window, |scene| scene.obstacles.clear());
+    window.harness.state_mut().bench_mut().selection = Selection::Robot;
+    window.harness.run();
+    let before = window.scene().clone();
+    let ahead = {
+        let node = window.bench().live.solution().unwrap().tip();
+        34.0 * eframe::egui::vec2(node.normal().x as f32, -node.normal().y as f32)
+    };
+    let grip = window.tip() + ahead;
+    window.drag(&[grip, grip + eframe::egui::vec2(0.0, 60.0)]);
+    let [x, y] = window.scene().loads.tip_force_n;
+    // EI/L² is 0.247 N and 45 mm long.
+    let expect = -f64::from(60.0 / window.points(45.0)) * 8000.0 / (180.0 * 180.0);
+    assert!(
+        x.abs() < 0.01 && (y - expect).abs() < 0.01,
+        "{x} {y} {expect}"
+    );
+    assert!(window.bench().live.is_settled());
+    assert!(told(&window, "cannot take this scene"));
+    window.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(*window.scene(), before);
+    // The paper's model has none to take hold of.
+    window.key(Key::M);
+    let grip = window.tip() + ahead;
+    let before = window.scene().clone();
+    window.drag(&[grip, grip + eframe::egui::vec2(0.0, 60.0)]);
+    assert_eq!(window.scene().loads, before.loads);
+}

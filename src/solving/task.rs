@@ -38,7 +38,7 @@ pub enum Answer {
     BestPull(Result<ShapeFit, ShapeError>),
     /// The shape, of the problem asked for or of the last one on the way to it that
     /// has an equilibrium.
-    Shape(Solution),
+    Shape(Box<Solution>),
 }
 
 /// A task that was begun.
@@ -83,7 +83,7 @@ impl Doing {
             Self::BestPull(search) => Answer::BestPull(search.finish().map(|(_, fit)| fit)),
             Self::Shape(shape) => {
                 let (problem, run) = *shape;
-                Answer::Shape(run.solved_for(&problem).into_solution())
+                Answer::Shape(Box::new(run.solved_for(&problem).into_solution()))
             }
         }
     }

@@ -1,9 +1,11 @@
-//! Dragging: the view, obstacles, their handles, new obstacles and the tip.
+//! Dragging: the view, obstacles, their handles, new obstacles, the tip and the force
+//! on it.
 //! Each frame starts from the scene as it was when the drag began, so that
 //! rounding does not add up and giving up restores it exactly.
 
 use super::hit::{self, Target};
 use super::pull::TipMap;
+use super::tip_force;
 use super::view::Canvas;
 use crate::app::shapes::{self, Handle, Tool, drag, handles, moved, neat, vertices};
 use crate::app::workbench::{Playing, Selection, Workbench};
@@ -12,6 +14,9 @@ use crate::scene::{Obstacle, Scene, Shape};
 use crate::units::{METRES_PER_MM, millimetres};
 use crate::view::{Frame, Quantity};
 use eframe::egui::Modifiers;
+
+/// A force whose arrow is shorter than this, in points, is none.
+const NO_FORCE: f64 = 6.0;
 
 /// A drag that is going on.
 #[derive(Clone, Debug)]
@@ -48,6 +53,13 @@ pub enum Dragged {
         stood: f64,
         /// The pull, in mm, that it had.
         pull_mm: f64,
+    },
+    /// The force on the tip.
+    TipForce {
+        /// Newtons for a millimetre of its arrow.
+        scale: f64,
+        /// The force, in N, that it was.
+        force: Vector,
     },
 }
 
@@ -115,6 +127,17 @@ impl Drag {
                     }
                     None => Self::view(bench),
                 }
+            }
+            Target::TipForce => {
+                bench.selection = Selection::Robot;
+                let Some(long) = tip_force::metres_per_newton(bench) else {
+                    return Self::view(bench);
+                };
+                let what = Dragged::TipForce {
+                    scale: METRES_PER_MM / long,
+                    force: tip_force::force(bench),
+                };
+                Self::new(bench, what, origin)
             }
             Target::Robot | Target::Nothing => Self::view(bench),
         }
@@ -185,6 +208,16 @@ impl Drag {
                     }
                 }
             }
+            Dragged::TipForce { scale, force } => {
+                let force = force + *scale * (to - self.origin);
+                // No finer than the screen shows; no force within a few points.
+                let grain = scale * per_point;
+                let force = match force.norm() < NO_FORCE * grain {
+                    true => Vector::zeros(),
+                    false => force.map(|newtons| neat(newtons, grain)),
+                };
+                bench.document.scene.loads.tip_force_n = force.into();
+            }
             Dragged::Tip {
                 map,
                 stood,
@@ -218,6 +251,7 @@ impl Drag {
             Dragged::Obstacle(index) | Dragged::New(_, index) => Target::Obstacle(*index),
             Dragged::Handle(index, handle, _) => Target::Handle(*index, *handle),
             Dragged::Tip { .. } => Target::Tip,
+            Dragged::TipForce { .. } => Target::TipForce,
         }
     }
 
@@ -233,6 +267,10 @@ impl Drag {
                 shape(*index).map_or(Vec::new(), |shape| handle_reading(shape, *handle))
             }
             Dragged::Tip { .. } => vec![("Pull", mm(bench.pull_mm()))],
+            Dragged::TipForce { .. } => {
+                let force = tip_force::force(bench).norm();
+                vec![("Force", Quantity::significant(force, "N"))]
+            }
         }
     }
 }

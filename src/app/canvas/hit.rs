@@ -1,5 +1,6 @@
 //! What is under a point of the canvas, and how near is near enough.
 
+use super::tip_force;
 use crate::app::shapes::{Handle, Tool, Turned, handles};
 use crate::app::workbench::{Hovered, Live, Workbench};
 use crate::geometry::{Obstacle, Vector};
@@ -48,6 +49,8 @@ pub enum Target {
     Handle(usize, Handle),
     /// The robot's tip.
     Tip,
+    /// The force on it.
+    TipForce,
     /// An obstacle.
     Obstacle(usize),
     /// The robot.
@@ -85,6 +88,10 @@ pub fn target_at(
     let Some(solution) = bench.live.solution() else {
         return under(&bench.live, frame, point, reach);
     };
+    let grip = tip_force::grip(bench, frame).filter(|_| tool == Tool::Select);
+    if nearest(grip.into_iter(), point, reach.handle / frame.scale).is_some() {
+        return Target::TipForce;
+    }
     let tip = solution.nodes.last().map(|node| node.position);
     if nearest(tip.into_iter(), point, reach.handle / frame.scale).is_some() {
         return Target::Tip;
@@ -194,7 +201,7 @@ pub fn cursor(target: Target, shape: Option<&Shape>, held: Held) -> CursorIcon {
             Handle::End(_) | Handle::Vertex(_) => CursorIcon::Move,
             Handle::Turn => held.cursor(),
         },
-        Target::Tip | Target::Obstacle(_) => held.cursor(),
+        Target::Tip | Target::TipForce | Target::Obstacle(_) => held.cursor(),
         Target::Robot => CursorIcon::PointingHand,
         Target::Nothing => CursorIcon::Default,
     }

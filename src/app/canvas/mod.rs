@@ -19,6 +19,7 @@ mod photo;
 mod pointer;
 mod pull;
 mod shade;
+mod tip_force;
 mod tools;
 mod understated;
 mod view;
@@ -129,6 +130,7 @@ fn picture(
         let filled = (under, vertex.map(|(_, vertex)| vertex));
         handles::paint(&painter, &shape, frame, filled, reach, &tokens);
     }
+    tip_force::paint(&painter, bench, frame, &tokens);
     if target == Target::Tip {
         overlay::tip_ring(&painter, &bench.live, frame, &tokens);
     }

@@ -211,7 +211,7 @@ impl Workbench {
                 Update::Share { task, share } => self.measuring.go_on(task, share),
                 Update::Answer { task, answer } => match *answer {
                     Answer::BestPull(fit) => self.measuring.end(task, fit),
-                    Answer::Shape(shape) => self.other.take(task, shape),
+                    Answer::Shape(shape) => self.other.take(task, *shape),
                 },
             }
         }

@@ -11,7 +11,7 @@ use crate::equilibrium::{Caution, Solution};
 use crate::mechanics::{Certificate, Condition, ConditionKind};
 use crate::scene::{Candidates, Scene};
 use crate::solver::Iteration;
-use crate::units::{millimetres, per_millimetre};
+use crate::units::per_millimetre;
 use crate::view::Quantity;
 use eframe::egui::{
     Align, Align2, Color32, FontId, Label, Layout, RichText, Role, ScrollArea, Sense, Ui,
