@@ -287,7 +287,7 @@ fn what_is_stable_under_pull_alone_is_told() {
     slipping.model.mechanics = sinew::scene::Mechanics::Sliding;
     let mut found = Vec::new();
     for pull_mm in [3.8, 4.0, 4.2, 4.28, 4.36, 4.4, 4.48] {
-        let mut at = |by: f64| {
+        let at = |by: f64| {
             slipping.set_pull_mm(pull_mm + by);
             let problem = Problem::new(&slipping).unwrap();
             solve(&problem, Start::Straight, Settings::default())

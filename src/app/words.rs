@@ -321,6 +321,7 @@ mod tests {
     fn events_are_told_at_what_was_given() {
         let told = |load| {
             let event = Event {
+                share: 1.0,
                 pull: 4.9e-3,
                 load,
                 what: Occurrence::StartRefused,

@@ -48,6 +48,7 @@ fn crowded_scene() -> Scene {
 
 /// The same body strung with two sliding cables, one under a load and one that
 /// stretches, heavy, and pushed at its tip; `segments_per_bay` up to `NU`.
+#[allow(dead_code, reason = "not every test lets cables slide")]
 pub fn strung<const NU: usize>(segments_per_bay: u32) -> Sliding<NU> {
     let mut scene = crowded_scene();
     scene.model.mechanics = scene::Mechanics::Sliding;
@@ -81,6 +82,7 @@ pub fn strung<const NU: usize>(segments_per_bay: u32) -> Sliding<NU> {
 }
 
 /// Bends of a few hundredths to a few tenths of a radian.
+#[allow(dead_code, reason = "not every test lets cables slide")]
 pub fn bends<const NU: usize>(sliding: &Sliding<NU>) -> Vec<Control<NU>> {
     let robot = sliding.robot();
     let arcs = robot.segments_per_bay;

@@ -66,7 +66,11 @@ fn place(ui: &mut Ui, form: &mut Form<'_>, scene: &mut Scene, index: usize) {
         symbol: "EA",
         kind: Kind::Plain,
         optional: true,
-        ..Number::length(path("axial_stiffness_n"), "Axial stiffness", AXIAL_STIFFNESS)
+        ..Number::length(
+            path("axial_stiffness_n"),
+            "Axial stiffness",
+            AXIAL_STIFFNESS,
+        )
     };
     form.optional(ui, &number, &mut cable.axial_stiffness_n);
 }
