@@ -1735,3 +1735,22 @@ fn forces_of_a_sliding_cable_come_without_virtual_work() {
     let solved = check(&["solve", &scene, "--set", "model.mechanics=sliding"], 0).out;
     assert!(!solved.contains("link"), "{solved}");
 }
+
+/// A cable that would have to bend the robot further than its disks allow: told without
+/// a word of linkages, with how far it got.
+#[test]
+fn a_sliding_robot_has_no_linkage_to_lock() {
+    let scene = "version = 2
+        robot = { length_mm = 180, segments = 18, cable_offset_mm = 30 }
+        actuation = { pull_mm = 175 }";
+    let ran = check_with(&["solve", "-"], scene.as_bytes(), 3);
+    for text in [&ran.out, &ran.err] {
+        assert!(text.contains("what the robot's own parts allow"), "{text}");
+        assert!(!text.contains("link"), "{text}");
+    }
+    assert!(
+        ran.out.contains(" mm of the 175 mm asked for"),
+        "{}",
+        ran.out
+    );
+}
