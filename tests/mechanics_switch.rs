@@ -310,3 +310,20 @@ fn a_force_on_the_tip_is_dragged_out_of_it_and_taken_back() {
     window.drag(&[grip, grip + eframe::egui::vec2(0.0, 60.0)]);
     assert_eq!(window.scene().loads, before.loads);
 }
+
+#[test]
+fn the_mark_stands_in_space_and_in_the_table_too() {
+    let mut window = on(TWO_DISCS);
+    window.key(Key::Num2);
+    let marks = |window: &Window| {
+        let marks = window
+            .harness
+            .query_all_by_label_contains("Forces understated");
+        marks.count()
+    };
+    assert_eq!(marks(&window), 3);
+    click(&mut window, "Contacts");
+    assert_eq!(marks(&window), 4);
+    window.key(Key::M);
+    assert_eq!(marks(&window), 0);
+}

@@ -2,6 +2,7 @@
 //! draws.
 
 use super::look::{Tokens, semibold, theme_of};
+use super::widgets::understated_over;
 use super::workbench::{Live, Workbench};
 use crate::geometry::Vector;
 use crate::render::{Camera, Mesh, mesh, solid_callback};
@@ -66,6 +67,7 @@ pub fn show(ui: &mut Ui, space: &mut Space, bench: &mut Workbench) {
     painter.rect_filled(rect, 0.0, Tokens::of(theme).canvas);
     painter.add(solid_callback(rect, solids, *camera, theme));
     values(&painter, rect, *camera, &bench.live, theme);
+    understated_over(ui, bench, rect.right_bottom() - vec2(12.0, 12.0));
     let hint = "Drag to turn, right-drag to move, double-click to reset";
     if response.hovered() {
         painter.text(

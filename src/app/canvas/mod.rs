@@ -21,7 +21,6 @@ mod pull;
 mod shade;
 mod tip_force;
 mod tools;
-mod understated;
 mod view;
 
 pub use keys::hold_space;
@@ -30,10 +29,11 @@ pub use view::Canvas;
 use super::look::{Tokens, theme_of};
 use super::paint::{drawing, grid};
 use super::shapes::Tool;
+use super::widgets::understated_over;
 use super::workbench::{Hovered, Selection, Workbench};
 use crate::render::field_callback;
 use crate::view::Frame;
-use eframe::egui::{self, Rect, Sense, Stroke, Ui};
+use eframe::egui::{self, Pos2, Rect, Sense, Stroke, Ui, vec2};
 use hit::{Reach, Target};
 
 /// Shows the canvas in all the room there is.
@@ -69,6 +69,11 @@ pub fn show(ui: &mut Ui, canvas: &mut Canvas, bench: &mut Workbench) {
         painter.rect_stroke(rect.shrink(1.0), 0.0, ring, egui::StrokeKind::Inside);
     }
     menu::show(&response, canvas, bench, &frame);
+}
+
+/// The lower right corner of what there is above the legend.
+fn corner_above_legend(rect: Rect) -> Pos2 {
+    rect.right_bottom() - vec2(12.0, 34.0)
 }
 
 /// Paints the scene.
@@ -166,7 +171,7 @@ fn overlays(
         hints::paint(found, &painter, &bench.live, frame, rect, &tokens);
     }
     canvas.strip = tools::show(ui, canvas, bench, rect);
-    understated::show(ui, bench, rect);
+    understated_over(ui, bench, corner_above_legend(rect));
     banner::show(ui, bench, rect);
     let painter = ui.painter_at(rect);
     if let (Some(drag), Some(pointer)) = (&canvas.drag, pointer) {

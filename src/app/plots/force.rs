@@ -166,6 +166,8 @@ fn understated(
     // Above the way to what is missing.
     let corner = frame.right_bottom() - size - vec2(8.0, 32.0);
     let rect = eframe::egui::Rect::from_min_size(corner, size);
+    ui.painter()
+        .rect_filled(rect, 4.0, tokens.panel.gamma_multiply(0.85));
     let text = RichText::new("Forces understated").size(12.0).weak();
     let sign = icon(icons::WARNING).size(14.0).color(tokens.warning);
     let button = eframe::egui::Button::new((sign, text)).frame_when_inactive(false);

@@ -10,7 +10,7 @@ mod understated;
 pub use button::button;
 pub use form::{Form, Number};
 pub use typed::Kind;
-pub use understated::{is_understated, understated};
+pub use understated::{understated, understated_over};
 
 use crate::app::workbench::Workbench;
 use crate::scene::{Scene, SceneError};

@@ -4,14 +4,36 @@
 use crate::app::commands::Command;
 use crate::app::look::{Tokens, icon, icons};
 use crate::app::workbench::Workbench;
+use crate::contact::Class;
 use crate::mechanics::Model;
-use eframe::egui::{Button, RichText, Ui};
+use eframe::egui::{Align, Button, Layout, Pos2, Rect, RichText, Ui, UiBuilder, Vec2, vec2};
 
 /// What the mark says.
 const MARK: &str = "Forces understated";
 
+/// Room for the mark over a view, in points.
+const ROOM: Vec2 = vec2(220.0, 24.0);
+
+/// Shows the mark over a view of the robot, with its lower right corner here, while
+/// something presses with a force that is understated.
+pub fn understated_over(ui: &mut Ui, bench: &mut Workbench, corner: Pos2) {
+    let greyed = bench.live.drawing().standing.is_greyed();
+    let presses = bench.live.solution().is_some_and(|solution| {
+        let mut contacts = solution.contacts.iter();
+        contacts.any(|contact| contact.class == Class::Pressing)
+    });
+    if greyed || !presses || !is_understated(bench) {
+        return;
+    }
+    let room = Rect::from_min_max(corner - ROOM, corner);
+    let layout = Layout::right_to_left(Align::Center);
+    ui.scope_builder(UiBuilder::new().max_rect(room).layout(layout), |ui| {
+        understated(ui, bench);
+    });
+}
+
 /// Whether forces are shown in grams that are the paper's.
-pub fn is_understated(bench: &Workbench) -> bool {
+fn is_understated(bench: &Workbench) -> bool {
     bench.model() == Model::Equal && bench.document.stiffness().is_some()
 }
 
