@@ -5,10 +5,15 @@
 use sinew::equilibrium::{Run, Settings, Start, Status, solve};
 use sinew::geometry::Vector;
 use sinew::mechanics::Problem;
-use sinew::scene::Scene;
+use sinew::scene::{Mechanics, Scene};
 
 fn problem(scene: &str, pull_mm: f64) -> Problem {
+    strung(scene, pull_mm, Mechanics::Equal)
+}
+
+fn strung(scene: &str, pull_mm: f64, mechanics: Mechanics) -> Problem {
     let mut scene = Scene::from_toml(scene).unwrap();
+    scene.model.mechanics = mechanics;
     scene.set_pull_mm(pull_mm);
     Problem::new(&scene).unwrap()
 }
@@ -21,11 +26,15 @@ const BODY: &str = include_str!("../assets/scenes/body-contact.toml");
 /// Iterations of a direct solve, of the way from straight, and of a small
 /// change of the pull.
 fn check(scene: &str, pull_mm: f64, expect: [usize; 3]) {
-    let goal = problem(scene, pull_mm);
+    check_strung(scene, pull_mm, Mechanics::Equal, expect);
+}
+
+fn check_strung(scene: &str, pull_mm: f64, mechanics: Mechanics, expect: [usize; 3]) {
+    let goal = strung(scene, pull_mm, mechanics);
     let direct = solve(&goal, Start::Direct, Settings::default());
     let mut run = Run::new(&goal, Start::Straight, Settings::default());
     let path = run.finish().iterations;
-    run.retarget(&problem(scene, pull_mm + 0.05));
+    run.retarget(&strung(scene, pull_mm + 0.05, mechanics));
     let warm = run.finish();
     assert_eq!(warm.status, Status::Converged);
     let found = [direct.iterations, path, warm.iterations];
@@ -41,6 +50,17 @@ fn known_scenes_take_known_iterations() {
     check(ONE_DISC, 6.0, [6, 32, 5]);
     check(SHAPES, 6.0, [6, 32, 5]);
     check(BODY, 4.9, [6, 36, 5]);
+}
+
+/// Of cables that slide.
+#[test]
+fn sliding_cables_take_known_iterations() {
+    let check = |scene, pull_mm, expect| check_strung(scene, pull_mm, Mechanics::Sliding, expect);
+    check(TWO_DISCS, 5.0, [8, 60, 5]);
+    check(TWO_DISCS, 12.0, [12, 200, 6]);
+    check(ONE_DISC, 6.0, [8, 60, 5]);
+    check(SHAPES, 6.0, [10, 70, 6]);
+    check(BODY, 5.55, [10, 80, 6]);
 }
 
 /// Its own solution is where a problem's run ends at once: the multipliers come
@@ -61,8 +81,13 @@ fn a_solution_is_its_own_start() {
 
 #[test]
 fn a_warm_solve_allocates_nothing() {
-    let near = problem(TWO_DISCS, 5.0);
-    let far = problem(TWO_DISCS, 5.05);
+    check_allocations(Mechanics::Equal);
+    check_allocations(Mechanics::Sliding);
+}
+
+fn check_allocations(mechanics: Mechanics) {
+    let near = strung(TWO_DISCS, 5.0, mechanics);
+    let far = strung(TWO_DISCS, 5.05, mechanics);
     let mut moved = near.clone();
     let disc = near.obstacles()[0].moved(Vector::new(-5e-4, 0.0));
     moved.set_obstacle(0, disc);
