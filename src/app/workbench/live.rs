@@ -270,7 +270,7 @@ fn shares_path(a: &Problem, b: &Problem) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Scene;
+    use crate::scene::{Cable, Drive, Mechanics, Scene};
     use crate::solving::{Job, Update, Work};
 
     const SPAN: (f64, f64) = (0.0, 0.012);
@@ -350,6 +350,38 @@ mod tests {
         take(&mut live, found);
         assert!(live.is_settled() && live.path_is_current());
         assert_eq!(live.path().unwrap().length, pulled(4.0).length());
+    }
+
+    #[test]
+    fn another_cable_that_is_drawn_in_has_another_path() {
+        let strung = |pull_mm: f64| {
+            problem(|scene| {
+                scene.model.mechanics = Mechanics::Sliding;
+                scene.robot.bending_stiffness_nmm2 = Some(8000.0);
+                let first = scene.cable(0);
+                scene.robot.cable_offset_mm = None;
+                scene.actuation = None;
+                let drive = Drive::PullMm(pull_mm);
+                let offset_mm = -first.offset_mm;
+                let second = Cable {
+                    drive,
+                    offset_mm,
+                    ..first
+                };
+                scene.cables = vec![first, second];
+            })
+        };
+        let mut live = Live::new(&strung(-6.0), &Notes::default());
+        let course = |request: Request| request.course;
+        let first = course(live.ask(&strung(-6.0), StartFrom::Straight, SPAN));
+        assert_eq!(
+            course(live.ask(&strung(-6.0), StartFrom::Last, SPAN)),
+            first
+        );
+        assert_ne!(
+            course(live.ask(&strung(-5.0), StartFrom::Last, SPAN)),
+            first
+        );
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::app::commands::Command;
 use crate::app::look::{icon, semibold};
-use crate::app::widgets::{Form, Number, button, row, with_form};
+use crate::app::widgets::{Form, Number, button, row, understated, with_form};
 use crate::app::words;
 use crate::app::workbench::Workbench;
 use crate::scene::limits::{ANGLE, COORDINATE, CORNER_RADIUS, RADIUS, SIDE};
@@ -195,7 +195,7 @@ fn polygon(ui: &mut Ui, form: &mut Form<'_>, at: &str, shape: &mut Shape) {
 }
 
 /// How hard the robot presses on the obstacle.
-fn pressing(ui: &mut Ui, bench: &Workbench, index: usize) {
+fn pressing(ui: &mut Ui, bench: &mut Workbench, index: usize) {
     let Some(solution) = bench.live.solution() else {
         return;
     };
@@ -209,5 +209,6 @@ fn pressing(ui: &mut Ui, bench: &Workbench, index: usize) {
     row::fact(ui, "Multipliers", "Σ λ", &written);
     if let Some(force) = bench.document.force(total) {
         row::fact(ui, "Forces", "Σ F", &force);
+        understated(ui, bench);
     }
 }
