@@ -20,7 +20,7 @@ use super::{Measured, ShapeFit, compare};
 use crate::contact::Contact;
 use crate::equilibrium::{Progress, Run, Settings, Solution, Solved, Start, Status};
 use crate::geometry::Vector;
-use crate::mechanics::Problem;
+use crate::mechanics::{CableState, Drive, Problem};
 use crate::robot::PlanarNode;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -157,6 +157,8 @@ impl Walk {
 #[derive(Debug)]
 struct Place {
     pull: f64,
+    drive: Drive,
+    cables: Vec<CableState>,
     nodes: Vec<PlanarNode>,
     turns: Vec<f64>,
     contacts: Vec<Contact>,
@@ -168,6 +170,8 @@ impl Place {
     fn new(solution: &Solution, rms: f64) -> Self {
         Self {
             pull: solution.pull,
+            drive: solution.drive.clone(),
+            cables: solution.cables.clone(),
             nodes: solution.nodes.clone(),
             turns: solution.turns.clone(),
             contacts: solution.contacts.clone(),
@@ -177,11 +181,15 @@ impl Place {
 
     /// What a run can start from.
     fn solved(&self, problem: &Problem) -> Option<Solved> {
-        let mut solution = Solution::default();
-        solution.pull = self.pull;
-        solution.nodes.clone_from(&self.nodes);
-        solution.turns.clone_from(&self.turns);
-        solution.contacts.clone_from(&self.contacts);
+        let solution = Solution {
+            pull: self.pull,
+            drive: self.drive.clone(),
+            cables: self.cables.clone(),
+            nodes: self.nodes.clone(),
+            turns: self.turns.clone(),
+            contacts: self.contacts.clone(),
+            ..Solution::default()
+        };
         Solved::pair(problem.clone(), solution)
     }
 }
