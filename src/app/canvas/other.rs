@@ -39,8 +39,12 @@ pub fn outline(painter: &Painter, bench: &Workbench, frame: &Frame, tokens: &Tok
     let edge = |side: f64| -> Vec<Pos2> { other.nodes.iter().map(|it| at(it.at(side))).collect() };
     let mut backbone = edge(-half);
     backbone.extend(edge(half).into_iter().rev());
-    let cable: Vec<Pos2> = other.cable().map(at).collect();
-    if !backbone.iter().chain(&cable).all(|point| point.is_finite()) {
+    let cables = 0..other.problem().drive().cables.len();
+    let cables: Vec<Vec<Pos2>> = cables
+        .map(|index| other.cable_points(index).into_iter().map(at).collect())
+        .collect();
+    let points = backbone.iter().chain(cables.iter().flatten());
+    if !points.into_iter().all(|point| point.is_finite()) {
         return;
     }
     let seam = Stroke::new(3.0, tokens.canvas.gamma_multiply(0.7));
@@ -66,7 +70,9 @@ pub fn outline(painter: &Painter, bench: &Workbench, frame: &Frame, tokens: &Tok
         }
         painter.add(Shape::closed_line(backbone.clone(), stroke));
     }
-    painter.extend(Shape::dashed_line(&cable, line, 5.0, 4.0));
+    for cable in &cables {
+        painter.extend(Shape::dashed_line(cable, line, 5.0, 4.0));
+    }
 }
 
 /// Paints the arrows with their numbers, and what the outline is, beside what is
