@@ -6,11 +6,12 @@
 //!
 //! # Bird's-eye view
 //!
-//! A continuum robot is an elastic backbone with disks; a cable beside it is
-//! drawn in and bends it. In the plane, cut into n segments, its shape is the
-//! one of least Σ bend² among all that keep every link's length and stay clear
-//! of the obstacles (eq. 5 of the paper that the README names). Sinew finds
-//! that shape, what the robot presses on and how hard, and proves it:
+//! A continuum robot is an elastic backbone with disks; cables beside it are
+//! drawn in and bend it. In the plane, cut into n segments, its shape is the
+//! one of least Σ bend² among all that keep their lengths and stay clear
+//! of the obstacles (eq. 5 of the paper that the README names): the length of every
+//! link of the cable in the paper's model, of the whole cable where it slides. Sinew
+//! finds that shape, what the robot presses on and how hard, and proves it:
 //!
 //! ```text
 //! text ── scene ──▶ Scene ── mechanics ──▶ Problem ── equilibrium ──▶ Solved
@@ -20,12 +21,15 @@
 //! ```
 //!
 //! A [`scene::Scene`] is what a file says and may be half-edited nonsense.
-//! [`mechanics::Problem`] is made of it once and cannot be wrong. Each segment is a
-//! four-bar linkage with one degree of freedom, so all length constraints are
-//! eliminated exactly and only its turn is unknown; the [`solver`] minimises
+//! [`mechanics::Problem`] is made of it once and cannot be wrong. In the paper's model
+//! each segment is a four-bar linkage with one degree of freedom, so all length
+//! constraints are eliminated exactly and only its turn is unknown; where cables slide
+//! the backbone's arcs bend, and a cable's length is one row summed over all of them,
+//! whose multiplier is the tension. The [`solver`] minimises
 //! along the chain in time proportional to n. [`equilibrium`] follows the shape
-//! from the straight robot along the pull, as a real robot would get there, and
-//! certifies where it arrives in the paper's own coordinates. What it finds is
+//! from the straight robot along what drives it, as a real robot would get there, and
+//! certifies where it arrives by other code: in the paper's own coordinates, or by the
+//! forces and moments on every section. What it finds is
 //! an [`equilibrium::Solution`]; with the problem that it is one of, an
 //! [`equilibrium::Solved`], which is all that draws, plots or writes a shape.
 //!
@@ -43,7 +47,8 @@
 //! - [`robot`]: its dimensions, its parts and their names, the pose of a node.
 //! - [`contact`]: the parts that may touch against the obstacles, as rows of eq. 5.
 //! - [`mechanics`]: what bends the robot, as a chain, from a scene: the four-bar
-//!   linkages of eq. 4.
+//!   linkages of eq. 4 ([`mechanics::Equal`]) and cables that slide
+//!   ([`mechanics::Sliding`]), each with its certificate.
 //! - [`equilibrium`]: from a problem to a certified solution, step by step.
 //! - [`forces`]: newtons, from multipliers with a bending stiffness and from
 //!   kinematics by virtual work; the balance of the whole robot.
@@ -111,7 +116,8 @@
 //! | (x_e, y_e, θ_e) | [`equilibrium::Solution::tip`] | the tip |
 //! | | [`equilibrium::Solution::bends`] | β, angle between neighbouring disks |
 //! | | [`equilibrium::Solution::shears`] | ψ, backbone link against disks |
-//! | | [`equilibrium::Solution::turns`] | τ, the one unknown of a segment |
+//! | | [`equilibrium::Solution::turns`] | τ, the one unknown of a segment; b where cables slide |
+//! | | [`mechanics::CableState::tension`] | T, of a cable that slides |
 //! | | [`equilibrium::Solution::energy`] | J = Σ β², what is minimised |
 //! | P_l | [`forces::VirtualWork::force`]'s `load` | the weight on the cable, from contact on |
 //! | P_x, P_y | [`forces::PressingForce`] | what the robot exerts on an obstacle |
