@@ -20,12 +20,12 @@ pub enum Start<'a> {
     Direct,
 }
 
-/// What [`Branch::advance`] led to.
+/// What [`Run::advance`] led to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Progress {
     /// Not done: call again.
     Running,
-    /// Done: see [`Branch::solution`].
+    /// Done: see [`Run::solution`].
     Done,
 }
 

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// A condition of an equilibrium that a robot can rest in.
 ///
-/// One new here has an entry in [`Condition::entry`], and comes last: solver and
+/// One new here has an entry in `Condition::entry`, and comes last: solver and
 /// window tell each other conditions by their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Condition {
