@@ -14,6 +14,8 @@
 //! the tensions of the stretches on both sides of it, along them.
 
 mod minimum;
+#[cfg(test)]
+mod tests;
 
 use super::chain::Sliding;
 use crate::geometry::{Vector, cross};
