@@ -88,7 +88,7 @@ test('a finger pulls the cable', async () => {
   const part = (first.pull_mm - least) / (most - least);
   const left = slider.x - slider.width / 2;
   const from = { x: left + part * slider.width, y: slider.y };
-  await page.fingers([[from, { x: left + 0.3 * slider.width, y: slider.y }]]);
+  await page.fingers([[from, { x: left + 0.45 * slider.width, y: slider.y }]]);
   await page.until('more is pulled', (state) => state.settled && state.pull_mm > first.pull_mm + 2);
 });
 
@@ -112,13 +112,13 @@ test("an example is opened, and the browser's way back leads from it", async () 
   const first = await page.state();
   await tap(page, /^Menu/);
   await tap(page, /Examples …/);
-  await tap(page, /^One disc/);
+  await tap(page, /^Two discs/);
   const one = await page.until(
     'the example is open',
-    (state) => state.settled && state.title.startsWith('One disc'),
+    (state) => state.settled && state.title.startsWith('Two discs'),
   );
-  assert.equal(one.obstacles_mm.length, 1);
-  assert.match(page.tab.url(), /#example=one-disc$/);
+  assert.equal(one.obstacles_mm.length, 2);
+  assert.match(page.tab.url(), /#example=two-discs$/);
   await page.tab.goBack();
   await page.until('the first one is back', (state) => state.settled && state.title === first.title);
   await page.tab.goForward();

@@ -36,7 +36,7 @@ test('the slider bends the robot', async () => {
   const part = (first.pull_mm - least) / (most - least);
   const left = slider.x - slider.width / 2;
   const handle = { x: left + part * slider.width, y: slider.y };
-  await page.drag(handle, { x: left + 0.3 * slider.width, y: slider.y });
+  await page.drag(handle, { x: left + 0.45 * slider.width, y: slider.y });
   const bent = await page.until(
     'more is pulled',
     (state) => state.settled && state.pull_mm > first.pull_mm + 2,
