@@ -212,3 +212,46 @@ fn pulls_loads_rims_and_antagonists_are_those_of_another_solver() {
         }
     }
 }
+
+/// Another group's solver of the same mechanics, with contacts in the middle of straight
+/// stretches: with two arcs a bay, which let the backbone give way between disks.
+#[test]
+fn contacts_between_disks_are_those_of_a_peer() {
+    let cases = cases(include_str!("cases/peer_opentdcr_6.json"));
+    let expected = [("O1", 1, 1e-6), ("O3", 2, 0.006), ("O5", 2, 0.001)];
+    for (case, (id, arcs, allowed)) in cases.into_iter().zip(expected) {
+        assert_eq!(case["id"], id);
+        let mut robot = robot(&case, arcs);
+        robot.segments *= arcs;
+        let drive = Drive::of_pull(&robot, number(&case["pull_mm"]) * 1e-3);
+        let near: Cable = drive.cables[0].cable;
+        let far = Cable {
+            offset: -robot.offset,
+            ..near
+        };
+        let sides = |node| [near, far].map(|cable| robot.cable_point(0, &cable, node));
+        let candidates = (1..=robot.segments).flat_map(sides).flatten().collect();
+        let problem = Problem::sliding(robot, drive, candidates, obstacles(&case));
+        let solved = solve(&problem, Start::Straight, Settings::default());
+        assert_eq!(
+            solved.status,
+            Status::Converged,
+            "{id}: {:?}",
+            solved.certificate
+        );
+        for (node, expected) in case["peer"]["backbone_mm"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .enumerate()
+        {
+            let found = 1e3 * solved.nodes[node * arcs].position;
+            let expected = Vector::new(number(&expected[0]), number(&expected[1]));
+            let miss = (found - expected).norm();
+            // The file's last digit is a millionth of a millimetre.
+            assert!(miss < allowed + 1e-6, "{id}, node {node}: {miss} mm");
+        }
+        let expected = case["ours"]["contacts"].as_array().unwrap();
+        assert_eq!(pressing(&solved).len(), expected.len(), "{id}");
+    }
+}

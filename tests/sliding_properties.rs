@@ -1,12 +1,10 @@
 //! What has to hold of every robot whose cables slide, whoever computes it: the work of
 //! a pull, mirror images, other places and sizes, limits that beams have, and refinement.
 
-use serde_json::Value;
 use sinew::contact::Class;
 use sinew::equilibrium::{Settings, Solved, Start, Status, solve};
-use sinew::geometry::{Core, Obstacle, Vector};
-use sinew::mechanics::{Drive, Input, Problem};
-use sinew::robot::{Cable, PlanarNode, Robot, Sizes};
+use sinew::geometry::Vector;
+use sinew::mechanics::{Input, Problem};
 use sinew::scene::{Scene, Shape};
 
 /// Two posts that a robot bent by its first cable lies against, and a second cable that
@@ -292,65 +290,4 @@ fn finer_arcs_converge_to_second_order() {
     assert!((a - b).norm() < 1e-3, "{a} {b}");
     let order = ((b - c).norm() / (c - d).norm()).log2();
     assert!((1.5..2.5).contains(&order), "{order} {b} {c} {d}");
-}
-
-/// Another group's solver of the same mechanics, with contacts in the middle of straight
-/// stretches: with two arcs a bay, which let the backbone give way between disks.
-#[test]
-fn contacts_between_disks_are_those_of_a_peer() {
-    let file: Value = serde_json::from_str(include_str!("cases/peer_opentdcr_6.json")).unwrap();
-    let number = |value: &Value| value.as_f64().unwrap();
-    for (case, (id, arcs, allowed)) in file["cases"].as_array().unwrap().iter().zip([
-        ("O1", 1, 1e-6),
-        ("O3", 2, 0.006),
-        ("O5", 2, 0.001),
-    ]) {
-        assert_eq!(case["id"], id);
-        let offset = number(&case["cable_offset_mm"]) * 1e-3;
-        let segments = arcs * case["segments"].as_u64().unwrap() as usize;
-        let robot = Robot {
-            length: number(&case["length_mm"]) * 1e-3,
-            segments,
-            segments_per_bay: arcs,
-            offset,
-            sizes: Sizes {
-                rim: offset,
-                disk: 0.0,
-                backbone: 0.0,
-                cable: 0.0,
-            },
-            base: PlanarNode {
-                position: Vector::zeros(),
-                disk: Vector::x(),
-                angle: 0.0,
-            },
-        };
-        let drive = Drive::of_pull(&robot, number(&case["pull_mm"]) * 1e-3);
-        let near: Cable = drive.cables[0].cable;
-        let far = Cable {
-            offset: -offset,
-            ..near
-        };
-        let sides = |node| [near, far].map(|cable| robot.cable_point(0, &cable, node));
-        let candidates = (1..=segments).flat_map(sides).flatten().collect();
-        let discs = case["circles"].as_array().unwrap().iter().map(|disc| {
-            let [x, y, radius] = [0, 1, 2].map(|i| number(&disc[i]) * 1e-3);
-            Obstacle::new(Core::Point, radius, Vector::new(x, y), 0.0)
-        });
-        let solved = solved(&Problem::sliding(robot, drive, candidates, discs.collect()));
-        for (node, expected) in case["peer"]["backbone_mm"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .enumerate()
-        {
-            let found = 1e3 * solved.nodes[node * arcs].position;
-            let expected = Vector::new(number(&expected[0]), number(&expected[1]));
-            let miss = (found - expected).norm();
-            // The file's last digit is a millionth of a millimetre.
-            assert!(miss < allowed + 1e-6, "{id}, node {node}: {miss} mm");
-        }
-        let expected = case["ours"]["contacts"].as_array().unwrap();
-        assert_eq!(pressing(&solved), expected.len(), "{id}");
-    }
 }

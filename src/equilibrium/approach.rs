@@ -96,8 +96,8 @@ fn foot<N: Nodes + ?Sized>(
 
 /// A wall starts beyond all parts that may touch.
 fn behind_wall<N: Nodes + ?Sized>(problem: &Problem, wall: &Obstacle, nodes: &N) -> Seed {
-    let depth = (0..nodes.count())
-        .map(|i| nodes.node(i))
+    let depth = nodes
+        .each()
         .map(|node| -wall.clearance(node.position).distance)
         .fold(0.0, f64::max);
     let normal = wall.clearance(nodes.node(0).position).normal;

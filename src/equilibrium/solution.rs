@@ -171,8 +171,7 @@ impl Solution {
     /// Sets the nodes to those of a shape.
     pub(super) fn set_nodes<N: Nodes + ?Sized>(&mut self, shape: &N) {
         self.nodes.clear();
-        self.nodes
-            .extend((0..shape.count()).map(|i| *shape.node(i)));
+        self.nodes.extend(shape.each());
     }
 
     /// Moves the shape as a whole.

@@ -144,6 +144,19 @@ impl Candidate {
 }
 
 impl Robot {
+    /// A part on the backbone or on a disk, which touches by itself.
+    pub(super) fn bare(&self, line: Line, node: usize, lever: f64) -> Candidate {
+        Candidate {
+            line,
+            node,
+            element: Element::Point { lever },
+            radius: 0.0,
+            joins: Joins::Nothing,
+            span: 1,
+            cable: 0,
+        }
+    }
+
     /// Everything solid between a node and the one before: both links, and the
     /// node's disk where it has one. Of the base, which is node 0, the disk.
     pub fn parts(&self, node: usize) -> Vec<Candidate> {

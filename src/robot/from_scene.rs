@@ -1,6 +1,6 @@
 //! The robot and its parts from a scene, in the file's units.
 
-use super::candidate::{Candidate, Element, Joins, Line};
+use super::candidate::{Candidate, Line};
 use super::dimensions::Robot;
 use super::node::PlanarNode;
 use super::sizes::Sizes;
@@ -31,15 +31,7 @@ impl Robot {
     pub fn candidates(&self, contact: &scene::Contact) -> Vec<Candidate> {
         let nodes = 1..=self.segments;
         let cable = self.offset;
-        let at = |line, node, lever| Candidate {
-            line,
-            node,
-            element: Element::Point { lever },
-            radius: 0.0,
-            joins: Joins::Nothing,
-            span: 1,
-            cable: 0,
-        };
+        let at = |line, node, lever| self.bare(line, node, lever);
         match contact.candidates {
             Candidates::Nodes => nodes
                 .flat_map(|i| [at(Line::Backbone, i, 0.0), at(Line::Cable, i, cable)])

@@ -43,6 +43,11 @@ pub trait Nodes {
     fn find(&self, index: usize) -> Option<&PlanarNode> {
         (index < self.count()).then(|| self.node(index))
     }
+
+    /// All of them.
+    fn each(&self) -> impl Iterator<Item = &PlanarNode> {
+        (0..self.count()).map(|index| self.node(index))
+    }
 }
 
 impl Nodes for [PlanarNode] {

@@ -8,19 +8,6 @@ use super::sizes::Sizes;
 use crate::scene::{self, Candidates};
 
 impl Robot {
-    /// A part on the backbone or on a disk, which touches by itself.
-    fn bare(&self, line: Line, node: usize, lever: f64) -> Candidate {
-        Candidate {
-            line,
-            node,
-            element: Element::Point { lever },
-            radius: 0.0,
-            joins: Joins::Nothing,
-            span: 1,
-            cable: 0,
-        }
-    }
-
     /// The point of the backbone at a node, from 1, without thickness.
     pub fn backbone_point(&self, node: usize) -> Candidate {
         self.bare(Line::Backbone, node, 0.0)

@@ -5,9 +5,9 @@
 pub struct Settings {
     /// Iterations of the whole run before it is given up.
     pub iterations: usize,
-    /// Greatest change of the pull in a step, over what its mechanics calls a large
-    /// one: 1/16 of the cable offset turns
-    /// the free robot's tip by 3.6°, a tenth of a segment's usual reach.
+    /// Greatest change in a step of what drives the robot, as a pull over the greatest
+    /// cable offset: 1/16 of it turns the free robot's tip by 3.6°, a tenth of a
+    /// segment's usual reach.
     pub pull_step: f64,
     /// Greatest motion of an obstacle in a step, over the backbone's length.
     pub obstacle_step: f64,

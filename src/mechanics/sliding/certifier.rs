@@ -22,7 +22,7 @@ use crate::geometry::{Vector, cross};
 use crate::math::greatest;
 use crate::mechanics::touching::certify_contacts;
 use crate::mechanics::{Certificate, Condition, Found, Input, Problem};
-use crate::robot::{Element, Nodes, PlanarNode};
+use crate::robot::{Candidate, Element, Nodes, PlanarNode};
 
 /// Bends below this, in radians, drown in the rounding of coordinates: the residual is
 /// relative to the moment of a bend of at least this much.
@@ -48,9 +48,8 @@ impl Certifier {
         found: Found<'_, N>,
     ) -> Certificate {
         let problem = sliding.problem();
-        let count = found.nodes.count();
         self.nodes.clear();
-        self.nodes.extend((0..count).map(|i| *found.nodes.node(i)));
+        self.nodes.extend(found.nodes.each());
         let length = problem.length();
         self.forces.clear();
         self.add_contacts(problem, &found);
@@ -61,7 +60,7 @@ impl Certifier {
         let lengths = self.lengths(problem, &found);
         let links = greatest(self.arc_error(problem), lengths) / length;
         certificate.set(Condition::Links, links);
-        let ends = |candidate: &crate::robot::Candidate| candidate.ends(&self.nodes);
+        let ends = |candidate: &Candidate| candidate.ends(&self.nodes);
         certify_contacts(problem, found.contacts, ends, &mut certificate);
         let slackest = found
             .cables

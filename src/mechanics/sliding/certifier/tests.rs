@@ -57,7 +57,7 @@ fn on_two_posts() -> Told {
     sliding.write_cables(point, multipliers, &mut cables);
     assert_eq!(contacts.len(), 2);
     Told {
-        nodes: (0..shape.count()).map(|i| *shape.node(i)).collect(),
+        nodes: shape.each().copied().collect(),
         problem,
         contacts,
         cables,
