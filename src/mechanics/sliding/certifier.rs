@@ -21,7 +21,7 @@ use super::chain::Sliding;
 use crate::geometry::{Vector, cross};
 use crate::math::greatest;
 use crate::mechanics::touching::certify_contacts;
-use crate::mechanics::{Certificate, Condition, Found, Input, Problem};
+use crate::mechanics::{CableState, Certificate, Condition, Found, Input, Problem};
 use crate::robot::{Candidate, Element, Nodes, PlanarNode};
 
 /// Bends below this, in radians, drown in the rounding of coordinates: the residual is
@@ -62,14 +62,8 @@ impl Certifier {
         certificate.set(Condition::Links, links);
         let ends = |candidate: &Candidate| candidate.ends(&self.nodes);
         certify_contacts(problem, found.contacts, ends, &mut certificate);
-        let slackest = found
-            .cables
-            .iter()
-            .map(|cable| cable.tension)
-            .fold(0.0, f64::min);
-        if slackest < 0.0 {
-            certificate.set(Condition::Dual, f64::INFINITY);
-        }
+        let contacts = certificate.get(Condition::Dual).unwrap_or(0.0);
+        certificate.set(Condition::Dual, greatest(contacts, pushing(found.cables)));
         certificate.set(Condition::Orientation, stretches);
         let is_minimum = self.is_minimum(problem, found.contacts, found.cables);
         certificate.set(Condition::Minimum, is_minimum);
@@ -234,8 +228,9 @@ impl Certifier {
                 .sum();
             let stretch = unit * state.tension * cable.compliance;
             let spare = straight - pull + stretch - length;
-            let left = if state.is_slack {
-                (-spare).max(0.0)
+            // Whatever it is told to be: what carries no tension may be longer than it need.
+            let left = if state.tension == 0.0 {
+                greatest(-spare, 0.0)
             } else {
                 spare.abs()
             };
@@ -260,6 +255,16 @@ pub fn rests_under_load(problem: &Problem, found: Found<'_, [PlanarNode]>) -> bo
     problem.set_drive(&drive);
     let certificate = Certifier::default().certify(&Sliding::<1>::of(problem), found);
     certificate.get(Condition::Minimum) == Some(1.0)
+}
+
+/// The greatest tension below zero, relative to the greatest of all.
+fn pushing(cables: &[CableState]) -> f64 {
+    let sizes = cables.iter().map(|cable| cable.tension.abs());
+    let most = sizes.fold(f64::MIN_POSITIVE, f64::max);
+    cables
+        .iter()
+        .map(|cable| -cable.tension / most)
+        .fold(0.0, greatest)
 }
 
 /// How far the centroid of an arc of unit length is from the middle of its chord, away

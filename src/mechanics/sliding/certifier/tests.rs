@@ -95,6 +95,18 @@ fn each_condition_fails_where_it_is_spoilt() {
     );
     check(&|told| told.problem.set_pull(5.550_001e-3), &[Links]);
     check(&|told| told.nodes[7].angle += 1e-7, &[Stationarity, Links]);
+    check(
+        &|told| told.cables[0].tension *= -1.0,
+        &[Stationarity, Dual],
+    );
+    // What is told to be slack and carries a tension is held to its length.
+    check(
+        &|told| {
+            told.cables[0].is_slack = true;
+            told.problem.set_pull(5.549e-3);
+        },
+        &[Links],
+    );
     let moved = |told: &mut Told, by: f64| {
         let post: Obstacle = told.problem.obstacles()[1].clone();
         let normal = told.contacts[1].normal;
