@@ -165,6 +165,7 @@ fn pulls_loads_rims_and_antagonists_are_those_of_another_solver() {
             cables: cables.collect(),
             loads,
             stiffness: Some(stiffness),
+            friction: Default::default(),
         };
         let cables: Vec<Cable> = drive.cables.iter().map(|driven| driven.cable).collect();
         let mut candidates = at_nodes(&robot, &cables);

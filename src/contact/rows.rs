@@ -33,10 +33,13 @@ pub enum RowKind {
         /// +1 or −1: the sign of the turn at the bound.
         sign: i8,
     },
-    /// The length of a cable, which is summed over the robot.
+    /// The length of a cable, or of a part of it that sticks in a hole, which is summed
+    /// over its stretches.
     Cable {
         /// The cable, from 0.
         cable: usize,
+        /// The first of the stretches, from 1.
+        stretch: usize,
     },
 }
 
@@ -44,6 +47,8 @@ pub enum RowKind {
 const FIRST_LIMIT: u64 = 1 << 62;
 /// And those of cables after these.
 const FIRST_CABLE: u64 = 1 << 63;
+/// Stretches a cable may have.
+const STRETCHES: u64 = 1 << 32;
 /// Vertices an obstacle may have, less one for "none".
 const VERTICES: u64 = 1 << 8;
 
@@ -62,15 +67,19 @@ impl RowKind {
             RowKind::TurnLimit { segment, sign } => {
                 FIRST_LIMIT + 2 * segment as u64 + u64::from(sign > 0)
             }
-            RowKind::Cable { cable } => FIRST_CABLE + cable as u64,
+            RowKind::Cable { cable, stretch } => {
+                FIRST_CABLE + cable as u64 * STRETCHES + stretch as u64
+            }
         })
     }
 
     /// What an id of the same problem stands for.
     pub fn of(id: RowId, obstacles: usize) -> Self {
         if id.0 >= FIRST_CABLE {
+            let rest = id.0 - FIRST_CABLE;
             return RowKind::Cable {
-                cable: (id.0 - FIRST_CABLE) as usize,
+                cable: (rest / STRETCHES) as usize,
+                stretch: (rest % STRETCHES) as usize,
             };
         }
         if id.0 >= FIRST_LIMIT {

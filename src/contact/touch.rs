@@ -2,7 +2,7 @@
 
 use super::rows::RowKind;
 use super::surroundings::Surroundings;
-use crate::geometry::Vector;
+use crate::geometry::{Vector, perpendicular};
 use crate::robot::{Line, Nodes, Robot};
 use crate::solver::Row;
 use serde::{Deserialize, Serialize};
@@ -54,8 +54,39 @@ pub struct Contact {
     pub clearance: f64,
     /// λ, in rad²/m, ≥ 0.
     pub multiplier: f64,
+    /// The obstacle's friction on the robot, in rad²/m, along the normal turned 90°
+    /// clockwise; 0 where nothing rubs.
+    pub friction: f64,
+    /// How far the robot's material slid past the obstacle in the last step, along the
+    /// same direction, in metres; 0 where nothing rubs.
+    pub slid: f64,
     /// Whether it carries a force.
     pub class: Class,
+}
+
+impl Contact {
+    /// The row it is of.
+    pub fn kind(&self) -> RowKind {
+        RowKind::Contact {
+            candidate: self.candidate,
+            obstacle: self.obstacle,
+            vertex: self.vertex,
+        }
+    }
+
+    /// The direction of friction: the normal turned 90° clockwise.
+    pub fn tangent(&self) -> Vector {
+        -perpendicular(self.normal)
+    }
+
+    /// The obstacle's force on the robot, in rad²/m times `per_bend`.
+    pub fn force(&self, per_bend: f64) -> Vector {
+        let pressed = per_bend * self.multiplier * self.normal;
+        if self.friction == 0.0 {
+            return pressed;
+        }
+        pressed + per_bend * self.friction * self.tangent()
+    }
 }
 
 /// Multipliers above this of a problem scaled to an energy of order 1, over the
@@ -115,6 +146,8 @@ impl Surroundings {
                 normal: place.normal,
                 clearance: row.value,
                 multiplier,
+                friction: 0.0,
+                slid: 0.0,
                 class: if multiplier > 0.0 {
                     Class::Pressing
                 } else {

@@ -17,6 +17,7 @@
 mod ending;
 mod follow;
 mod frame;
+mod friction;
 mod history;
 mod meet;
 mod settings;
@@ -30,12 +31,13 @@ use super::solution::Solution;
 use super::status::{EndReason, Status};
 use crate::contact::RowKind;
 use crate::geometry::Vector;
-use crate::mechanics::{Drive, Input, Mechanics, Problem};
+use crate::mechanics::{Drive, Input, Mechanics, Problem, Rubbing};
 use crate::solver::{
     Control, Outcome, Progress as SolveProgress, RowId, Settings as SolveSettings, Sqp, Tunnelling,
 };
 use follow::farthest;
 use frame::at_base;
+use friction::with_tensions;
 use meet::reordered;
 
 /// Steps below this share of the backbone's length, of pull or of obstacle
@@ -63,6 +65,8 @@ struct Anchor<M: Mechanics<NU>, const NU: usize> {
     controls: Vec<Control<NU>>,
     nodes: Vec<M::Node>,
     rows: Rows,
+    /// What friction keeps of it.
+    rubbing: Rubbing,
 }
 
 impl<M: Mechanics<NU>, const NU: usize> Default for Anchor<M, NU> {
@@ -71,6 +75,7 @@ impl<M: Mechanics<NU>, const NU: usize> Default for Anchor<M, NU> {
             controls: Vec::new(),
             nodes: Vec::new(),
             rows: Rows::default(),
+            rubbing: Rubbing::default(),
         }
     }
 }
@@ -313,6 +318,7 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
             self.anchor.nodes.push(node);
         }
         self.anchor.rows = Rows::default();
+        self.anchor.rubbing = Rubbing::default();
         self.solution.set_nodes(M::shape(&self.anchor.nodes));
         self.solution.move_by(self.origin);
         self.meet_obstacles(&[], &slack);
@@ -320,7 +326,7 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
 
     fn start_from(&mut self, problem: &Problem, solution: &Solution) {
         let origin = problem.robot().base.position;
-        let problem = M::new(at_base(problem).into_owned());
+        let mut problem = M::new(at_base(problem).into_owned());
         let mut accepted = false;
         if let Some(controls) = problem.read_controls(&solution.turns) {
             let settings = SolveSettings {
@@ -329,6 +335,13 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
             };
             let multipliers = solution.row_multipliers(&problem, problem.cost_unit());
             self.sqp.start(&problem, &controls, &multipliers, settings);
+            if problem.rubs() {
+                let rubbing = solution.rubbing(&problem);
+                let obstacles = problem.obstacles().to_vec();
+                problem.freeze(&obstacles, &self.sqp.point().nodes, &rubbing);
+                let multipliers = with_tensions(&problem, &multipliers);
+                self.sqp.start(&problem, &controls, &multipliers, settings);
+            }
             let outcome = self.sqp.run(&problem);
             accepted = outcome == Outcome::Converged
                 && farthest(&controls, &self.sqp.point().controls)
@@ -339,6 +352,7 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
             self.to = problem.clone();
             self.now = problem;
             self.take_anchor();
+            self.anchor.rubbing = solution.rubbing(&self.now);
             self.solution.events.clear();
             self.iterations = 0;
             let goal = Problem::clone(&self.goal);
@@ -354,7 +368,13 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         }
     }
 
+    /// Goes straight to the goal. With friction the answer depends on the way, and
+    /// there is none but that of [`Branch::start_straight`].
     fn start_direct(&mut self) {
+        if self.now.rubs() {
+            self.start_straight();
+            return;
+        }
         let settings = SolveSettings {
             iterations: LAST_ITERATIONS,
             tunnelling: Tunnelling::Allowed,
@@ -390,6 +410,12 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         self.solution.status = Status::Unfinished;
     }
 
+    /// Makes `here` the problem of the anchor.
+    fn show_anchor(&mut self) {
+        let (from, to, at) = (&self.from, &self.to, self.at);
+        self.here.change(|here| here.set_between(from, to, at));
+    }
+
     fn set_now(&mut self, at: f64) {
         let (from, to) = (&self.from, &self.to);
         self.now.change(|now| now.set_between(from, to, at));
@@ -411,7 +437,7 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         rows.retain(|(id, _)| !matches!(RowKind::of(*id, count), RowKind::Cable { .. }));
         for (cable, (driven, state)) in drive.cables.iter().zip(&cables).enumerate() {
             if let (Input::Pull(_), true) = (driven.input, state.tension > 0.0) {
-                let id = RowKind::Cable { cable }.id(count);
+                let id = RowKind::Cable { cable, stretch: 1 }.id(count);
                 rows.push((id, state.tension / unit));
             }
         }
@@ -455,6 +481,9 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         clearances.clear();
         clearances.extend(point.rows.iter().map(|row| (row.id, row.value)));
         multipliers.extend(pressing(&self.sqp));
+        let (point, multipliers) = (self.sqp.point(), self.sqp.multipliers());
+        let rubbing = &mut self.anchor.rubbing;
+        self.now.write_rubbing(point, multipliers, rubbing);
     }
 }
 

@@ -5,7 +5,9 @@ use super::split::independent;
 use super::status::Status;
 use crate::contact::{Class, Contact, Multipliers, RowKind};
 use crate::geometry::Vector;
-use crate::mechanics::{CableState, Certificate, Drive, Found, Mechanics, Model, Problem};
+use crate::mechanics::{
+    CableState, Certificate, Drag, Drive, Found, Mechanics, Model, Problem, Rubbing, Strand,
+};
 use crate::robot::{Nodes, PlanarNode};
 use crate::solver::{Iteration, Point, RowId};
 use serde::{Deserialize, Serialize};
@@ -35,6 +37,8 @@ pub struct Solution {
     pub energy: f64,
     /// The cables, in the order of the scene.
     pub cables: Vec<CableState>,
+    /// What friction keeps of them, in the same order; none where nothing rubs.
+    pub strands: Vec<Strand>,
     /// What touches, by candidate.
     pub contacts: Vec<Contact>,
     /// Whether the multipliers are the only ones possible. Where they are not
@@ -63,6 +67,7 @@ impl Default for Solution {
             shears: Vec::new(),
             energy: 0.0,
             cables: Vec::new(),
+            strands: Vec::new(),
             contacts: Vec::new(),
             unique_split: true,
             certificate: Certificate::default(),
@@ -90,6 +95,21 @@ impl Solution {
         self.nodes[self.nodes.len() - 1]
     }
 
+    /// The tension of each stretch of a cable that slides, base first, in rad²/m: one
+    /// for each of its disks.
+    ///
+    /// # Panics
+    /// If there is no cable of this index.
+    pub fn tensions(&self, cable: usize) -> Vec<f64> {
+        match self.strands.get(cable) {
+            Some(strand) => strand.tensions.clone(),
+            None => {
+                let disks = self.drive.cables[cable].cable.last_disk;
+                vec![self.cables[cable].tension; disks]
+            }
+        }
+    }
+
     /// dJ*/dl, in rad²/m: how the least energy rises with the pull, whose product
     /// with EI/2l_0 is the cable's tension.
     pub fn energy_slope(&self) -> f64 {
@@ -101,12 +121,7 @@ impl Solution {
         let pressing = self.contacts.iter().filter(|c| c.multiplier > 0.0);
         let mut multipliers: Vec<(RowId, f64)> = pressing
             .map(|contact| {
-                let kind = RowKind::Contact {
-                    candidate: contact.candidate,
-                    obstacle: contact.obstacle,
-                    vertex: contact.vertex,
-                };
-                let id = kind.id(problem.obstacles().len());
+                let id = contact.kind().id(problem.obstacles().len());
                 (id, contact.multiplier / scale)
             })
             .collect();
@@ -114,7 +129,9 @@ impl Solution {
             let cables = self.cables.iter().enumerate();
             let tense = cables.filter(|(_, state)| state.tension > 0.0);
             multipliers.extend(tense.map(|(cable, state)| {
-                let id = RowKind::Cable { cable }.id(problem.obstacles().len());
+                let stretch = 1;
+                let kind = RowKind::Cable { cable, stretch };
+                let id = kind.id(problem.obstacles().len());
                 (id, state.tension / scale)
             }));
         }
@@ -122,13 +139,31 @@ impl Solution {
         multipliers
     }
 
+    /// What friction keeps of the shape.
+    pub(super) fn rubbing(&self, problem: &Problem) -> Rubbing {
+        let count = problem.obstacles().len();
+        let pressing = self.contacts.iter().filter(|c| c.multiplier > 0.0);
+        let drag = |contact: &Contact| Drag {
+            row: contact.kind().id(count),
+            force: contact.friction,
+            slid: contact.slid,
+        };
+        let mut drags: Vec<Drag> = pressing.map(drag).collect();
+        drags.sort_by_key(|drag| drag.row);
+        Rubbing {
+            strands: self.strands.clone(),
+            drags,
+        }
+    }
+
     /// Fills the shape, the contacts and the certificate from a point of the
-    /// scaled problem with its multipliers.
+    /// scaled problem with its multipliers; `rubbing` is what friction keeps there.
     pub(super) fn fill<M: Mechanics<NU>, const NU: usize>(
         &mut self,
         problem: &M,
         point: &Point<M, 3, NU>,
         multipliers: &[f64],
+        rubbing: &Rubbing,
         certifier: &mut M::Certifier,
     ) {
         let shape = M::shape(&point.nodes);
@@ -141,6 +176,8 @@ impl Solution {
         self.bends.extend(bends);
         problem.write_shears(&point.controls, &mut self.shears);
         problem.write_cables(point, multipliers, &mut self.cables);
+        self.strands.clear();
+        self.strands.extend_from_slice(&rubbing.strands);
         self.energy = self.bends.iter().map(|bend| bend * bend).sum();
         let around = problem.around();
         let found = Multipliers {
@@ -148,6 +185,14 @@ impl Solution {
             unit: problem.cost_unit(),
         };
         around.find_contacts(&point.rows, shape, found, &mut self.contacts);
+        for drag in &rubbing.drags {
+            let kind = RowKind::of(drag.row, problem.obstacles().len());
+            let mut contacts = self.contacts.iter_mut();
+            if let Some(contact) = contacts.find(|contact| contact.kind() == kind) {
+                contact.friction = drag.force;
+                contact.slid = drag.slid;
+            }
+        }
         // Where all press, the solver's set of rows is independent.
         let grazes = self.contacts.iter().any(|c| c.class == Class::Grazing);
         self.unique_split = !grazes || independent(point, problem.length());
@@ -155,6 +200,7 @@ impl Solution {
             nodes: shape,
             contacts: &self.contacts,
             cables: &self.cables,
+            strands: &self.strands,
         };
         self.certificate = problem.certify(certifier, found);
         match self.cables.first() {
@@ -163,6 +209,7 @@ impl Solution {
             None => self.cables.push(CableState {
                 pull: self.pull,
                 tension: self.certificate.energy_slope,
+                load: self.certificate.energy_slope,
                 is_slack: false,
             }),
         }

@@ -86,6 +86,7 @@ impl Solved {
             nodes: &self.nodes[..],
             contacts: &self.contacts,
             cables: &self.cables,
+            strands: &self.strands,
         };
         Some(rests_under_load(&self.problem, found))
     }

@@ -44,8 +44,10 @@ const STEP: f64 = 1.0 / 16.0;
 /// robot, where a tension of a hundred grams changes by less than 1e-4 g.
 const GRAIN: f64 = 1e-11;
 
+/// What hangs on the first cable: its tension, and with friction what is lost below.
 fn tension(state: &Solved, per_bend: f64) -> f64 {
-    per_bend * state.energy_slope()
+    let first = state.cables.first();
+    per_bend * first.map_or_else(|| state.energy_slope(), |cable| cable.load)
 }
 
 fn presses(state: &Solved) -> bool {

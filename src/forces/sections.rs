@@ -119,14 +119,20 @@ fn share(
     per_bend: f64,
     loads: &mut Vec<Load>,
 ) {
-    let force = per_bend * contact.multiplier * contact.normal;
+    let force = contact.force(per_bend);
     let node = contact.node;
     let candidate = &problem.candidates()[contact.candidate];
+    // Friction acts on the surface; a normal force there does as on the line.
+    let down = if contact.friction == 0.0 {
+        Vector::zeros()
+    } else {
+        -candidate.radius * contact.normal
+    };
     let mut shared = |upper: usize, lever: f64, along: f64| {
         for (node, part) in [(upper - candidate.span, 1.0 - along), (upper, along)] {
             loads.push(Load {
                 node,
-                at: nodes[node].at(lever),
+                at: nodes[node].at(lever) + down,
                 force: part * force,
             });
         }

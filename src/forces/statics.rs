@@ -47,7 +47,8 @@ impl Default for Resultant {
 pub struct ContactForce {
     /// The contact: part, obstacle, point and normal.
     pub contact: Contact,
-    /// What the obstacle exerts on the robot, in N; along the contact's normal.
+    /// What the obstacle exerts on the robot, in N: along the contact's normal, and
+    /// friction across it.
     pub on_robot: Vector,
     /// The normal force F, in N, ≥ 0.
     pub normal_force: f64,
@@ -106,7 +107,7 @@ impl Statics {
                 let normal_force = per_bend * contact.multiplier;
                 ContactForce {
                     contact: *contact,
-                    on_robot: normal_force * contact.normal,
+                    on_robot: contact.force(per_bend),
                     normal_force,
                 }
             })
@@ -118,7 +119,7 @@ impl Statics {
             let moment = cross(force.contact.point - base, force.on_robot);
             pressed.force += force.on_robot;
             pressed.moment += moment;
-            largest = largest.max(force.normal_force);
+            largest = largest.max(force.on_robot.norm());
             largest_moment = largest_moment.max(moment.abs());
         }
         let (clamp, cable, loads) = (sections.clamp, sections.cable, loads(solved, per_bend));

@@ -30,6 +30,9 @@ pub enum Condition {
     /// Whether the reduced Hessian is positive definite, a strict minimum; or,
     /// without pull, whether the energy is zero, its least.
     Minimum,
+    /// Greatest tension outside the cone of a hole where its cable sticks, or off its
+    /// edge where it slips, relative to the greatest of the cable.
+    Friction,
 }
 
 /// What the value of a condition is.
@@ -139,6 +142,12 @@ impl Condition {
                 "Dual feasibility",
                 "λ ≥ 0",
                 "Obstacles push and never pull.",
+            ),
+            Self::Friction => residual(
+                "friction",
+                "Friction",
+                "e^{−μθ} ≤ T/T′ ≤ e^{μθ}",
+                "Every cable sticks within friction's limits and slips at them, against its motion.",
             ),
             Self::Orientation => Entry {
                 key: "orientation",

@@ -4,6 +4,7 @@
 use super::CableState;
 use crate::geometry::Vector;
 use crate::robot::{Cable, Robot};
+use crate::scene::Friction;
 use serde::{Deserialize, Serialize};
 
 /// What is given of a cable.
@@ -16,6 +17,14 @@ pub enum Input {
 }
 
 impl Input {
+    /// The pull, in metres; 0 where the load is given.
+    pub fn pull(self) -> f64 {
+        match self {
+            Input::Pull(pull) => pull,
+            Input::Load(_) => 0.0,
+        }
+    }
+
     /// The input a share `t` of the way between two of one kind; the second of two
     /// kinds.
     fn between(a: Self, b: Self, t: f64) -> Self {
@@ -88,14 +97,15 @@ pub struct Drive {
     /// EI, in N m², where it is known. Without it there are no loads, no weight hangs
     /// on a cable and none stretches.
     pub stiffness: Option<f64>,
+    /// Where cables and robot rub, and how much.
+    pub friction: Friction,
 }
 
 impl Clone for Drive {
     fn clone(&self) -> Self {
         Self {
             cables: self.cables.clone(),
-            loads: self.loads,
-            stiffness: self.stiffness,
+            ..*self
         }
     }
 
@@ -103,6 +113,7 @@ impl Clone for Drive {
         self.cables.clone_from(&source.cables);
         self.loads = source.loads;
         self.stiffness = source.stiffness;
+        self.friction = source.friction;
     }
 }
 
@@ -122,15 +133,15 @@ impl Drive {
             }],
             loads: Loads::default(),
             stiffness: None,
+            friction: Friction::default(),
         }
     }
 
     /// What is given of the first cable, in metres; 0 where that is its load.
     pub fn pull(&self) -> f64 {
-        match self.cables.first().map(|driven| driven.input) {
-            Some(Input::Pull(pull)) => pull,
-            Some(Input::Load(_)) | None => 0.0,
-        }
+        self.cables
+            .first()
+            .map_or(0.0, |driven| driven.input.pull())
     }
 
     /// The load on the first cable, in newtons, where that is what is given.
@@ -163,7 +174,7 @@ impl Drive {
         for (driven, state) in drive.cables.iter_mut().zip(states) {
             driven.input = match driven.input {
                 Input::Pull(_) => Input::Pull(state.pull),
-                Input::Load(_) => Input::Load(unit * state.tension),
+                Input::Load(_) => Input::Load(unit * state.load),
             };
         }
         drive
@@ -201,6 +212,12 @@ impl Drive {
             to.input = Input::between(a.input, b.input, t);
         }
         self.loads = Loads::between(&a.loads, &b.loads, t);
+        let mix = |a: f64, b: f64| (1.0 - t) * a + t * b;
+        self.friction = Friction {
+            holes: mix(a.friction.holes, b.friction.holes),
+            contacts: mix(a.friction.contacts, b.friction.contacts),
+            base_loss: mix(a.friction.base_loss, b.friction.base_loss),
+        };
     }
 
     /// How far another is from this, as the pull that would bend a free robot by as
@@ -226,6 +243,13 @@ impl Drive {
                 backbone: other.loads.backbone - self.loads.backbone,
             };
             change += robot.offset.abs() * difference.turn(robot, stiffness);
+        }
+        let (a, b) = (&self.friction, &other.friction);
+        let rubs = (b.holes - a.holes).abs()
+            + (b.contacts - a.contacts).abs()
+            + (b.base_loss - a.base_loss).abs();
+        if rubs > 0.0 {
+            change += rubs * robot.offset.abs();
         }
         change
     }

@@ -8,6 +8,7 @@ mod certificate;
 mod condition;
 mod drive;
 mod four_bar;
+mod friction;
 mod from_scene;
 mod problem;
 mod sliding;
@@ -17,10 +18,12 @@ pub use certificate::Certificate;
 pub use condition::{Answers, Condition, ConditionKind};
 pub use drive::{Drive, DrivenCable, Input, Loads};
 pub use four_bar::{Bend, Certifier, Equal, FourBar, FreeArc, MOST_BEND, MOST_TURN};
+pub use friction::{Drag, Rubbing, Slip, Strand};
 pub use problem::{Model, Problem};
 pub use sliding::{Sliding, rests_under_load};
 
 use crate::contact::Contact;
+use crate::geometry::Obstacle;
 use crate::robot::Nodes;
 use crate::solver::{Chain, Control, Point, RowId};
 use serde::{Deserialize, Serialize};
@@ -33,8 +36,12 @@ pub struct CableState {
     /// The length drawn in at the base, in metres; of one that stretches, without its
     /// stretch.
     pub pull: f64,
-    /// Its tension, in rad²/m as multipliers are: dJ/dpull.
+    /// The tension of its first stretch, in rad²/m as multipliers are: without friction
+    /// that of all, dJ/dpull.
     pub tension: f64,
+    /// What hangs on it below the base or would hold it as it is, in rad²/m: its tension
+    /// where nothing rubs.
+    pub load: f64,
     /// Whether it hangs loose.
     pub is_slack: bool,
 }
@@ -48,6 +55,19 @@ pub struct Found<'a, N: ?Sized> {
     pub contacts: &'a [Contact],
     /// The cables, in the order of the scene.
     pub cables: &'a [CableState],
+    /// What friction keeps of them; none where nothing rubs.
+    pub strands: &'a [Strand],
+}
+
+/// What friction says of a shape that was solved for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Settling {
+    /// It is as it was frozen.
+    Settled,
+    /// It has been frozen anew: solve again.
+    Again,
+    /// It goes round in circles.
+    Failed,
 }
 
 /// What bends the robot: a chain of a problem, and what a run along a branch of its
@@ -102,6 +122,35 @@ pub trait Mechanics<const NU: usize>:
         multipliers: &[f64],
         cables: &mut Vec<CableState>,
     );
+
+    /// Whether friction has a say.
+    fn rubs(&self) -> bool {
+        false
+    }
+
+    /// Freezes friction as it is in a shape that a step starts from, among obstacles
+    /// where they were then.
+    fn freeze(&mut self, _obstacles: &[Obstacle], _nodes: &[Self::Node], _rubbing: &Rubbing) {}
+
+    /// Freezes friction as it is frozen in another solve of the same cables.
+    fn freeze_like(&mut self, _other: &Self) {}
+
+    /// Adds the multipliers of the rows that hold cables, as frozen.
+    fn add_tensions(&self, _multipliers: &mut Vec<(RowId, f64)>) {}
+
+    /// Freezes friction as it would be at the end of a solve.
+    fn settle(&mut self, _point: &Point<Self, 3, NU>, _multipliers: &[f64]) -> Settling {
+        Settling::Settled
+    }
+
+    /// Writes what friction keeps of a point where it has settled.
+    fn write_rubbing(
+        &self,
+        _point: &Point<Self, 3, NU>,
+        _multipliers: &[f64],
+        _rubbing: &mut Rubbing,
+    ) {
+    }
 
     /// The certificate of what was found.
     fn certify(

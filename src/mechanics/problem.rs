@@ -271,6 +271,7 @@ impl Problem {
             && self.model == other.model
             && self.drive.resembles(&other.drive)
             && self.drive.loads == other.drive.loads
+            && self.drive.friction == other.drive.friction
             && self.around.same(&other.around)
     }
 

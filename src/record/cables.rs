@@ -23,7 +23,8 @@ pub struct Cable {
     pub load_n: Option<f64>,
     /// How the energy rises with the pull, in rad²/mm: the tension without a stiffness.
     pub multiplier: f64,
-    /// Its tension, in N: how the energy in newtons rises with the pull.
+    /// The tension of its first stretch, in N: without friction that of all, and how the
+    /// energy in newtons rises with the pull.
     pub tension_n: Option<f64>,
     /// Of each stretch from disk to disk, base first; null in the paper's model, where
     /// links carry it.
@@ -52,13 +53,17 @@ impl Cable {
             angle_deg: 0.0,
             to_disk: cable.last_disk,
             pull_mm: millimetres(state.pull),
-            load_n: tension,
+            load_n: per_bend.map(|per_bend| per_bend * state.load),
             multiplier: per_millimetre(state.tension),
             tension_n: tension,
-            tensions_n: tension
-                .filter(|_| slides)
-                .map(|tension| vec![tension; cable.last_disk]),
-            slips: None,
+            tensions_n: per_bend.filter(|_| slides).map(|per_bend| {
+                let tensions = solved.tensions(index);
+                tensions.iter().map(|tension| per_bend * tension).collect()
+            }),
+            slips: solved.strands.get(index).map(|strand| {
+                let words = strand.slips.iter().map(|slip| slip.word());
+                words.collect()
+            }),
             slack: state.is_slack,
             points_mm: points(solved.cable_points(index)),
             holes_mm: points(solved.holes(index)),
@@ -68,8 +73,11 @@ impl Cable {
     /// All its numbers.
     pub(super) fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
         let points = self.points_mm.iter().chain(&self.holes_mm).flatten();
+        let tensions = self.tensions_n.iter().flatten();
         [self.pull_mm, self.multiplier]
             .into_iter()
+            .chain(self.load_n)
+            .chain(tensions.copied())
             .chain(self.tension_n)
             .chain(points.copied())
     }

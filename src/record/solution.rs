@@ -6,7 +6,7 @@ use crate::contact::Contact as Touch;
 use crate::equilibrium::{Caution as Finding, Event as Happening, Occurrence, Run};
 use crate::forces::{Statics, Stiffness};
 use crate::geometry::Vector;
-use crate::mechanics::Drive;
+use crate::mechanics::{Drive, Slip};
 use crate::robot::Line;
 use crate::units::{millimetres, per_millimetre};
 
@@ -104,7 +104,8 @@ pub struct Contact {
     pub force_n: Option<f64>,
     /// Along the normal turned by 90° clockwise, in N; null without friction.
     pub friction_n: Option<f64>,
-    /// Whether it slips or sticks; null without friction.
+    /// How the robot slips past it: `forward` along that direction, `back`, or `sticks`;
+    /// null without friction.
     pub slips: Option<&'static str>,
     /// Out of the obstacle, of length 1.
     pub normal: [f64; 2],
@@ -208,6 +209,7 @@ impl Solution {
     pub fn of(run: &Run, stiffness: Option<Stiffness>) -> Option<Self> {
         let solved = &run.solved();
         let (problem, solution) = (solved.problem(), solved.solution());
+        let rubs = !solution.drive.friction.is_none();
         let per_bend = stiffness.map(|stiffness| stiffness.per_bend(problem));
         let statics = Statics::of_scale(solved, per_bend.unwrap_or(1.0));
         let cautions = Finding::all(solved);
@@ -234,7 +236,9 @@ impl Solution {
                 .collect(),
             bends_rad: solution.bends.clone(),
             shears_rad: solution.shears.clone(),
-            contacts: contacts.map(|touch| contact(touch, per_bend)).collect(),
+            contacts: contacts
+                .map(|touch| contact(touch, per_bend, rubs))
+                .collect(),
             unique_split: solution.unique_split,
             obstacles_placed: run.obstacles_are_placed(),
             base: per_bend.and_then(|_| Base::of(&statics)),
@@ -295,7 +299,7 @@ impl Solution {
     }
 }
 
-fn contact(touch: &Touch, per_bend: Option<f64>) -> Contact {
+fn contact(touch: &Touch, per_bend: Option<f64>, rubs: bool) -> Contact {
     let is_cable = matches!(touch.line, Line::Cable | Line::CableLink);
     Contact {
         obstacle: touch.obstacle,
@@ -305,8 +309,14 @@ fn contact(touch: &Touch, per_bend: Option<f64>) -> Contact {
         class: touch.class.word(),
         multiplier: per_millimetre(touch.multiplier),
         force_n: per_bend.map(|per_bend| per_bend * touch.multiplier),
-        friction_n: None,
-        slips: None,
+        friction_n: per_bend
+            .filter(|_| rubs)
+            .map(|per_bend| per_bend * touch.friction),
+        slips: rubs.then(|| match Slip::of(touch.slid) {
+            Slip::In => "forward",
+            Slip::Out => "back",
+            Slip::Sticks => "sticks",
+        }),
         normal: pair(touch.normal),
         point_mm: point_mm(touch.point),
         clearance_mm: millimetres(touch.clearance),

@@ -134,6 +134,19 @@ impl Candidate {
         }
     }
 
+    /// The nodes that bear a force at a place on its edge, from 0 at the lower end to 1,
+    /// each with its share by the rule of the lever.
+    pub fn bearers(&self, along: f64) -> [(usize, f64); 2] {
+        let (upper, along) = match self.element {
+            Element::Point { .. } | Element::Across { .. } => {
+                return [(self.node, 1.0), (self.node, 0.0)];
+            }
+            Element::Link { .. } => (self.node, along),
+            Element::OnLink { above, .. } => (self.node + above, self.share()),
+        };
+        [(upper - self.span, 1.0 - along), (upper, along)]
+    }
+
     /// Where on its link a point is, from 0 at the lower end to 1; 1 for all others.
     pub fn share(&self) -> f64 {
         match self.element {

@@ -297,6 +297,11 @@ impl<C: Chain<NX, NU>, const NX: usize, const NU: usize> Sqp<C, NX, NU> {
         self.search(chain)
     }
 
+    /// The tolerances and limits of the run.
+    pub fn settings(&self) -> Settings {
+        self.settings
+    }
+
     /// The point reached.
     pub fn point(&self) -> &Point<C, NX, NU> {
         &self.point

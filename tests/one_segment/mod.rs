@@ -107,6 +107,8 @@ impl OneSegment {
             normal,
             clearance: 0.0,
             multiplier: self.energy_rate / self.cable_rate.dot(&normal),
+            friction: 0.0,
+            slid: 0.0,
             class: Class::Pressing,
         }
     }
@@ -140,6 +142,8 @@ impl OneSegment {
             normal,
             clearance: 0.0,
             multiplier: self.energy_rate / (along * self.cable_rate.dot(&normal)),
+            friction: 0.0,
+            slid: 0.0,
             class: Class::Pressing,
         }
     }

@@ -161,6 +161,18 @@ pub fn sliding_scene(candidates: Candidates) -> impl Strategy<Value = Scene> {
     })
 }
 
+/// The same robot with friction in its holes, below its base and on obstacles.
+#[allow(dead_code, reason = "not every test that makes scenes lets cables rub")]
+pub fn rubbing_scene(candidates: Candidates) -> impl Strategy<Value = Scene> {
+    let friction = (0.02..0.7f64, 0.0..0.3f64, -0.4..0.6f64, any::<bool>());
+    (sliding_scene(candidates), friction).prop_map(|(mut scene, (holes, lost, contacts, loses))| {
+        scene.friction.holes = holes;
+        scene.friction.contacts = contacts.max(0.0);
+        scene.friction.base_loss = if loses { lost } else { 0.0 };
+        scene
+    })
+}
+
 /// Cases that are the same on every run.
 pub fn config(cases: u32) -> ProptestConfig {
     ProptestConfig {

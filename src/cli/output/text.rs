@@ -80,13 +80,16 @@ fn pull(cable: &Cable, goal: Option<Input>) -> String {
     }
 }
 
-/// A cable's tension in grams and newtons, as far as it was got where more was asked
+/// A cable's load or tension in grams and newtons, as far as it was got where more was asked
 /// for.
 fn tension(cable: &Cable, goal: Option<Input>) -> Option<String> {
     if cable.slack {
         return Some("none: it hangs slack".to_owned());
     }
-    let tension = cable.tension_n?;
+    let tension = match goal {
+        Some(Input::Load(_)) => cable.load_n?,
+        _ => cable.tension_n?,
+    };
     let (shown, newtons) = (grams_shown(tension), figures(tension));
     Some(match goal {
         Some(Input::Load(goal)) if grams_shown(goal) != shown => {

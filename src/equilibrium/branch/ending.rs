@@ -16,6 +16,8 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         }
         self.keep_trace();
         self.set_now(self.at);
+        self.show_anchor();
+        self.freeze_now();
         let (controls, multipliers) = (&self.anchor.controls, &self.anchor.rows.multipliers);
         let settings = Settings::default();
         self.sqp.start(&self.now, controls, multipliers, settings);
@@ -29,8 +31,9 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
 
     pub(super) fn fill(&mut self, status: Status) {
         let (point, multipliers) = (self.sqp.point(), self.sqp.multipliers());
-        let certifier = &mut self.certifier;
-        self.solution.fill(&self.now, point, multipliers, certifier);
+        let (rubbing, certifier) = (&self.anchor.rubbing, &mut self.certifier);
+        self.solution
+            .fill(&self.now, point, multipliers, rubbing, certifier);
         self.solution.move_by(self.origin);
         self.show_world();
         let certified = self.solution.certificate.holds();

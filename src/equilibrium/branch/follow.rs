@@ -100,6 +100,7 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         let near = target - LOOK_BACK * (target - self.at);
         let (from, to) = (&self.from, &self.to);
         self.here.change(|here| here.set_between(from, to, near));
+        self.here.freeze_like(&self.now);
         let settings = Settings {
             tunnelling: Tunnelling::Allowed,
             ..Settings::default()

@@ -3,7 +3,7 @@
 use super::{Branch, EASY, LAST_ITERATIONS, NARROWEST, Phase, STEP_ITERATIONS};
 use crate::equilibrium::event::Occurrence;
 use crate::equilibrium::status::{EndReason, Status};
-use crate::mechanics::Mechanics;
+use crate::mechanics::{Mechanics, Settling};
 use crate::robot::Nodes;
 use crate::solver::{Outcome, Progress, Settings};
 
@@ -22,6 +22,10 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         }
         self.iterations += 1;
         self.set_now(self.target());
+        // Between the anchor and where the solve starts, the obstacles have moved
+        // and so has the robot, by the change of the pull at the same turns.
+        self.show_anchor();
+        self.freeze_now();
         self.phase = Phase::Solving;
         let settings = Settings {
             iterations: if self.step > self.least_step {
@@ -38,10 +42,6 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
             &self.anchor.rows.multipliers,
             settings,
         );
-        // Between the anchor and where the solve starts, the obstacles have moved
-        // and so has the robot, by the change of the pull at the same turns.
-        let (from, to, at) = (&self.from, &self.to, self.at);
-        self.here.change(|here| here.set_between(from, to, at));
         let (before, after) = (&self.anchor.nodes, &self.sqp.point().nodes);
         let (before, after) = (M::shape(before), M::shape(after));
         let (here, now) = (self.here.around(), self.now.around());
@@ -60,6 +60,20 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         }
         let Progress::Done(outcome) = progress else {
             return;
+        };
+        let settling = match outcome {
+            Outcome::Converged if self.now.rubs() => self.settle(),
+            _ => Settling::Settled,
+        };
+        if settling == Settling::Again {
+            return;
+        }
+        if settling == Settling::Settled && outcome == Outcome::Converged && self.now.rubs() {
+            self.predict_with_friction();
+        }
+        let outcome = match settling {
+            Settling::Failed => Outcome::IterationLimit,
+            _ => outcome,
         };
         let locked = self.locked_segment();
         let last_try = self.step <= self.least_step;

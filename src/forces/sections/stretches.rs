@@ -1,5 +1,5 @@
 //! The forces in a robot whose cables slide: from disk to disk each cable is straight
-//! and as tense as the multiplier of its length says.
+//! and as tense as the multiplier of its length says and friction in its holes leaves.
 //!
 //! Cut through arc i and look at what is beyond: contacts, loads, and at every hole
 //! the tensions of the stretches on both sides of it, along them. The cut backbone
@@ -39,14 +39,14 @@ pub(super) fn sections(solved: &Solved, per_bend: f64) -> Sections {
     let base = nodes[0];
     let mut loads = carried(solved, per_bend);
     let mut cable = Resultant::default();
-    let mut tensions = Vec::new();
+    let mut tensions: Vec<Vec<f64>> = Vec::new();
     let drive = problem.drive();
-    for (driven, state) in drive.cables.iter().zip(&solution.cables) {
+    for (index, driven) in drive.cables.iter().enumerate() {
         let (offset, last) = (driven.cable.offset, driven.cable.last_disk);
-        let tension = per_bend * state.tension;
+        let stretches: Vec<f64> = solution.tensions(index);
         let pulls = (1..=last).map(|k| {
             let (low, high) = (nodes[(k - 1) * bay].at(offset), nodes[k * bay].at(offset));
-            tension * (high - low).normalize()
+            per_bend * stretches[k - 1] * (high - low).normalize()
         });
         for (k, pull) in pulls.enumerate() {
             let mut hole = |disk: usize, force| {
@@ -65,7 +65,7 @@ pub(super) fn sections(solved: &Solved, per_bend: f64) -> Sections {
                 cable.moment -= cross(offset * base.disk, pull);
             }
         }
-        tensions.push(vec![tension; last]);
+        tensions.push(stretches.iter().map(|tension| per_bend * tension).collect());
     }
     let scale = newtons(problem, per_bend);
     add_weights(problem, nodes, scale, &mut loads);

@@ -73,6 +73,14 @@ impl<const NU: usize> Bay<NU> {
         self.nodes[NU - 1]
     }
 
+    /// The bay's node `j`, from 0 at its start to m.
+    pub fn node(&self, j: usize) -> &PlanarNode {
+        match j.checked_sub(1) {
+            Some(arc) => &self.nodes[arc],
+            None => &self.start,
+        }
+    }
+
     /// m, the number of arcs.
     pub fn arcs(&self) -> usize {
         self.arcs
@@ -81,15 +89,16 @@ impl<const NU: usize> Bay<NU> {
     /// The point of the disk at the bay's node `j`, from 0 at its start to m, a distance
     /// `lever` from the backbone.
     pub fn at(&self, j: usize, lever: f64) -> Vector {
-        match j.checked_sub(1) {
-            Some(arc) => self.nodes[arc].at(lever),
-            None => self.start.at(lever),
-        }
+        self.node(j).at(lever)
     }
 
     /// How that point moves.
     pub fn point(&self, j: usize, lever: f64) -> Inside<NU> {
-        let point = self.at(j, lever);
+        self.carried(j, self.at(j, lever))
+    }
+
+    /// How a point moves that the disk at the bay's node `j` carries.
+    pub fn carried(&self, j: usize, point: Vector) -> Inside<NU> {
         let mut inside = Inside {
             by_turn: perpendicular(point - self.start.position),
             by_control: [Vector::zeros(); NU],

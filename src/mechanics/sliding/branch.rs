@@ -4,7 +4,10 @@ use super::bay::Bay;
 use super::certifier::Certifier;
 use super::chain::Sliding;
 use crate::contact::RowKind;
-use crate::mechanics::{CableState, Certificate, Found, Input, Mechanics, Problem};
+use crate::geometry::Obstacle;
+use crate::mechanics::{
+    CableState, Certificate, Found, Input, Mechanics, Problem, Rubbing, Settling,
+};
 use crate::solver::{Control, Point, RowId};
 use std::ops::Deref;
 
@@ -113,27 +116,72 @@ impl<const NU: usize> Mechanics<NU> for Sliding<NU> {
     ) {
         cables.clear();
         let unit = self.cost_unit();
-        let mut sums = point.sums.iter().zip(&multipliers[point.rows.len()..]);
+        let sums = &multipliers[point.rows.len()..];
+        if self.rubs() {
+            cables.extend((0..self.frozen.len()).map(|cable| {
+                let found = self.found(cable, point, sums);
+                CableState {
+                    pull: found.drawn,
+                    tension: unit * found.tension,
+                    load: unit * found.load,
+                    is_slack: found.tension == 0.0,
+                }
+            }));
+            return;
+        }
+        let mut sums = sums.iter();
         for (index, driven) in self.drive().cables.iter().enumerate() {
             cables.push(match driven.input {
                 Input::Pull(pull) => {
-                    let tension = sums.next().map_or(0.0, |(_, multiplier)| multiplier * unit);
+                    let tension = sums.next().map_or(0.0, |multiplier| multiplier * unit);
                     CableState {
                         pull,
                         tension,
+                        load: tension,
                         is_slack: tension == 0.0,
                     }
                 }
                 Input::Load(load) => {
                     let stretched = load * driven.cable.compliance;
+                    let tension = self.tension_of(load) * unit;
                     CableState {
                         pull: self.shortening(index, &point.nodes) + stretched,
-                        tension: self.tension_of(load) * unit,
+                        tension,
+                        load: tension,
                         is_slack: load == 0.0,
                     }
                 }
             });
         }
+    }
+
+    fn rubs(&self) -> bool {
+        Sliding::rubs(self)
+    }
+
+    fn freeze(&mut self, obstacles: &[Obstacle], nodes: &[Bay<NU>], rubbing: &Rubbing) {
+        Sliding::freeze(self, obstacles, nodes, rubbing);
+    }
+
+    fn freeze_like(&mut self, other: &Self) {
+        Sliding::freeze_like(self, other);
+    }
+
+    fn add_tensions(&self, multipliers: &mut Vec<(RowId, f64)>) {
+        Sliding::add_tensions(self, multipliers);
+    }
+
+    fn settle(&mut self, point: &Point<Self, 3, NU>, multipliers: &[f64]) -> Settling {
+        Sliding::settle(self, point, multipliers)
+    }
+
+    fn write_rubbing(
+        &self,
+        point: &Point<Self, 3, NU>,
+        multipliers: &[f64],
+        rubbing: &mut Rubbing,
+    ) {
+        Sliding::write_rubbing(self, point, multipliers, rubbing);
     }
 
     fn certify(&self, certifier: &mut Certifier, found: Found<'_, [Bay<NU>]>) -> Certificate {

@@ -13,6 +13,7 @@
 //! The forces are those of contacts, of loads, and of the cables on the holes: at each
 //! the tensions of the stretches on both sides of it, along them.
 
+mod friction;
 mod minimum;
 #[cfg(test)]
 mod tests;
@@ -65,7 +66,12 @@ impl Certifier {
         let contacts = certificate.get(Condition::Dual).unwrap_or(0.0);
         certificate.set(Condition::Dual, greatest(contacts, pushing(found.cables)));
         certificate.set(Condition::Orientation, stretches);
-        let is_minimum = self.is_minimum(problem, found.contacts, found.cables);
+        if !problem.drive().friction.is_none() {
+            let holes = self.outside_cones(problem, &found);
+            let contacts = friction::outside_contact_cones(problem, &found);
+            certificate.set(Condition::Friction, greatest(holes, contacts));
+        }
+        let is_minimum = self.is_minimum(problem, found.contacts, (found.cables, found.strands));
         certificate.set(Condition::Minimum, is_minimum);
         certificate.energy_slope = found.cables.first().map_or(0.0, |cable| cable.tension);
         certificate
@@ -111,11 +117,13 @@ impl Certifier {
     fn add_contacts<N: Nodes + ?Sized>(&mut self, problem: &Problem, found: &Found<'_, N>) {
         for contact in found.contacts {
             let candidate = &problem.candidates()[contact.candidate];
-            let force = contact.multiplier * contact.normal;
+            let force = contact.force(1.0);
+            // Friction acts on the surface.
+            let down = -candidate.radius * contact.normal;
             let (start, end) = candidate.ends(&self.nodes);
             let along = match candidate.element {
                 Element::Point { .. } | Element::Across { .. } => {
-                    let point = start + contact.along * (end - start);
+                    let point = start + contact.along * (end - start) + down;
                     self.forces.push((candidate.node, point, force));
                     continue;
                 }
@@ -129,7 +137,7 @@ impl Certifier {
             };
             // A force on a link is shared by its ends by the rule of the lever.
             for (node, share) in [(upper - candidate.span, 1.0 - along), (upper, along)] {
-                let point = self.nodes[node].at(lever);
+                let point = self.nodes[node].at(lever) + down;
                 self.forces.push((node, point, share * force));
             }
         }
@@ -162,16 +170,18 @@ impl Certifier {
     fn add_cables<N: Nodes + ?Sized>(&mut self, problem: &Problem, found: &Found<'_, N>) -> bool {
         let bay = problem.robot().segments_per_bay;
         let mut forward = true;
-        for (driven, state) in problem.drive().cables.iter().zip(found.cables) {
+        let driven = problem.drive().cables.iter().zip(found.cables);
+        for (index, (driven, state)) in driven.enumerate() {
             let cable = &driven.cable;
             for k in 1..=cable.last_disk {
+                let tension = friction::tension(state, found.strands.get(index), k);
                 let (below, above) = ((k - 1) * bay, k * bay);
                 let (low, high) = (&self.nodes[below], &self.nodes[above]);
                 let (from, to) = (low.at(cable.offset), high.at(cable.offset));
                 let direction = (to - from).normalize();
                 forward &= direction.dot(&(low.normal() + high.normal())) > 0.0;
-                self.forces.push((above, to, -state.tension * direction));
-                self.forces.push((below, from, state.tension * direction));
+                self.forces.push((above, to, -tension * direction));
+                self.forces.push((below, from, tension * direction));
             }
         }
         forward
@@ -214,9 +224,9 @@ impl Certifier {
     /// tense, too short, in metres.
     fn lengths<N: Nodes + ?Sized>(&self, problem: &Problem, found: &Found<'_, N>) -> f64 {
         let bay = problem.robot().segments_per_bay;
-        let unit = Self::per_bend(problem);
         let mut worst = 0.0;
-        for (driven, state) in problem.drive().cables.iter().zip(found.cables) {
+        let driven = problem.drive().cables.iter().zip(found.cables);
+        for (index, (driven, state)) in driven.enumerate() {
             let Input::Pull(pull) = driven.input else {
                 continue;
             };
@@ -226,7 +236,9 @@ impl Certifier {
             let length: f64 = (1..=cable.last_disk)
                 .map(|k| (hole(k) - hole(k - 1)).norm())
                 .sum();
-            let stretch = unit * state.tension * cable.compliance;
+            let strand = found.strands.get(index);
+            let tensions = (1..=cable.last_disk).map(|k| friction::tension(state, strand, k));
+            let stretch = friction::yielding(problem, index) * tensions.sum::<f64>();
             let spare = straight - pull + stretch - length;
             // Whatever it is told to be: what carries no tension may be longer than it need.
             let left = if state.tension == 0.0 {
@@ -250,7 +262,7 @@ pub fn rests_under_load(problem: &Problem, found: Found<'_, [PlanarNode]>) -> bo
     problem.set_drive(&drive);
     let unit = Certifier::per_bend(&problem);
     for (driven, state) in drive.cables.iter_mut().zip(found.cables) {
-        driven.input = Input::Load(unit * state.tension);
+        driven.input = Input::Load(unit * state.load);
     }
     problem.set_drive(&drive);
     let certificate = Certifier::default().certify(&Sliding::<1>::of(problem), found);

@@ -6,17 +6,24 @@
 //! subject to  Σ (l_bay − len) − pull + c T ⪰ 0   for every cable under pull
 //! ```
 //!
+//! Friction splits the sums: see [`super::friction`].
+//!
 //! T of a cable under load is given: its potential is a cost. T of one under pull is
 //! the multiplier of its row, and it is slack where that is 0. In the unit of the
 //! controls a robot that bends by 1 rad has u = 1 everywhere, whatever its number of
 //! segments.
 
 use super::bay::Bay;
+use super::friction::{Effort, Frozen, Group};
+use super::rubbing::Held;
 use super::stretch::Stretch;
 use crate::contact::RowKind;
-use crate::geometry::Vector;
+use crate::geometry::{Obstacle, Vector};
+use crate::math::Anderson;
 use crate::mechanics::{Input, Problem};
-use crate::solver::{Chain, Control, DynamicsCurvature, Row, RowCurvature, Stage, State, SumRow};
+use crate::solver::{
+    Chain, Control, DynamicsCurvature, Row, RowCurvature, RowId, Stage, State, SumRow,
+};
 use nalgebra::{SMatrix, matrix};
 
 /// The longest step in a control: all of them together turn the tip by 1 rad, which is
@@ -35,7 +42,7 @@ const LEAST_BEND: f64 = 1e-5;
 /// The robot with sliding cables, with up to `NU` arcs a bay.
 #[derive(Debug)]
 pub struct Sliding<const NU: usize> {
-    problem: Problem,
+    pub(super) problem: Problem,
     /// l, the length of an arc, in metres.
     arc: f64,
     /// The bend of a unit control, in radians: 1/n.
@@ -44,23 +51,42 @@ pub struct Sliding<const NU: usize> {
     most_bend: f64,
     /// 1/(EI/(L n)), per newton metre; 0 where EI is not known, and nothing is asked in
     /// newtons.
-    per_energy: f64,
-    /// The cables under pull, by their indices.
-    pulled: Vec<usize>,
+    pub(super) per_energy: f64,
+    /// Friction as it stands in this solve, by cable; none where nothing rubs.
+    pub(super) frozen: Vec<Frozen>,
+    /// The rows that hold cables, in the order of their ids.
+    pub(super) groups: Vec<Group>,
+    pub(super) effort: Effort,
+    pub(super) anderson: Anderson,
+    /// What obstacles hold back in this solve, by row.
+    pub(super) held: Vec<Held>,
+    /// Robot and obstacles where the step began; none where no contact rubs.
+    pub(super) started: Vec<Bay<NU>>,
+    pub(super) origins: Vec<Obstacle>,
 }
 
 impl<const NU: usize> Clone for Sliding<NU> {
     fn clone(&self) -> Self {
         Self {
             problem: self.problem.clone(),
-            pulled: self.pulled.clone(),
+            frozen: self.frozen.clone(),
+            groups: self.groups.clone(),
+            anderson: self.anderson.clone(),
+            held: self.held.clone(),
+            started: self.started.clone(),
+            origins: self.origins.clone(),
             ..*self
         }
     }
 
     fn clone_from(&mut self, source: &Self) {
         self.problem.clone_from(&source.problem);
-        self.pulled.clone_from(&source.pulled);
+        self.frozen.clone_from(&source.frozen);
+        self.groups.clone_from(&source.groups);
+        self.effort = source.effort;
+        self.held.clone_from(&source.held);
+        self.started.clone_from(&source.started);
+        self.origins.clone_from(&source.origins);
         self.arc = source.arc;
         self.bend = source.bend;
         self.most_bend = source.most_bend;
@@ -77,7 +103,13 @@ impl<const NU: usize> Sliding<NU> {
             bend: 0.0,
             most_bend: 0.0,
             per_energy: 0.0,
-            pulled: Vec::new(),
+            frozen: Vec::new(),
+            groups: Vec::new(),
+            effort: Effort::default(),
+            anderson: Anderson::default(),
+            held: Vec::new(),
+            started: Vec::new(),
+            origins: Vec::new(),
         };
         sliding.prepare();
         sliding
@@ -103,10 +135,7 @@ impl<const NU: usize> Sliding<NU> {
         self.per_energy = drive
             .stiffness
             .map_or(0.0, |stiffness| robot.length * count / stiffness);
-        self.pulled.clear();
-        let cables = drive.cables.iter().enumerate();
-        let pulled = cables.filter(|(_, driven)| matches!(driven.input, Input::Pull(_)));
-        self.pulled.extend(pulled.map(|(index, _)| index));
+        self.group();
     }
 
     pub(super) fn problem(&self) -> &Problem {
@@ -144,8 +173,22 @@ impl<const NU: usize> Sliding<NU> {
         (bay <= cable.last_disk).then_some(cable.offset)
     }
 
+    /// The name of a row that holds a cable.
+    pub(super) fn group_id(&self, sum: usize) -> RowId {
+        let Group { cable, first, .. } = self.groups[sum];
+        let stretch = first;
+        RowKind::Cable { cable, stretch }.id(self.problem.obstacles().len())
+    }
+
+    /// The offset of the cable that a row holds, in a bay that it holds, from 1.
+    fn held_offset(&self, sum: usize, bay: usize) -> Option<f64> {
+        let Group { cable, first, last } = self.groups[sum];
+        let offset = self.problem.drive().cables[cable].cable.offset;
+        (first..=last).contains(&bay).then_some(offset)
+    }
+
     /// The length of a bay, in metres.
-    fn bay_length(&self) -> f64 {
+    pub(super) fn bay_length(&self) -> f64 {
         self.arc * self.problem.robot().segments_per_bay as f64
     }
 
@@ -173,8 +216,8 @@ impl<const NU: usize> Sliding<NU> {
         self.problem.drive().loads.any()
     }
 
-    /// The tension of a cable under load, in the chain's unit.
-    fn given_tension(&self, cable: usize) -> Option<f64> {
+    /// The load on a cable, in the chain's unit, where that is what is given.
+    pub(super) fn given_tension(&self, cable: usize) -> Option<f64> {
         match self.problem.drive().cables[cable].input {
             Input::Load(load) => Some(self.per_energy * load),
             Input::Pull(_) => None,
@@ -184,10 +227,17 @@ impl<const NU: usize> Sliding<NU> {
     /// Adds what hangs on cables and on the robot to a stage's cost.
     fn add_loads(&self, k: usize, bay: &Bay<NU>, stage: &mut Stage<3, NU>) {
         for cable in 0..self.problem.drive().cables.len() {
-            let (Some(tension), Some(offset)) = (self.given_tension(cable), self.offset(cable, k))
-            else {
+            let Some(offset) = self.offset(cable, k) else {
                 continue;
             };
+            // Of a cable that rubs, what its row does not hold.
+            let tension = match self.frozen.get(cable) {
+                Some(frozen) => frozen.extra[k - 1],
+                None => self.given_tension(cable).unwrap_or(0.0),
+            };
+            if tension == 0.0 {
+                continue;
+            }
             let stretch = Stretch::of(bay, offset);
             stage.cost += tension * (stretch.length - self.bay_length());
             stage.cost_gradient += tension * stretch.gradient;
@@ -303,6 +353,7 @@ impl<const NU: usize> Chain<3, NU> for Sliding<NU> {
             stage.cost = f64::INFINITY;
         }
         self.add_loads(k, &bay, &mut stage);
+        self.add_held(k, &bay, &mut stage);
         (bay, stage, (k, bay))
     }
 
@@ -320,6 +371,7 @@ impl<const NU: usize> Chain<3, NU> for Sliding<NU> {
                 curvature.mixed -= load.mixed;
             });
         }
+        self.add_held_curvature(*k, bay, &mut curvature);
         curvature
     }
 
@@ -334,30 +386,45 @@ impl<const NU: usize> Chain<3, NU> for Sliding<NU> {
     }
 
     fn sum_count(&self) -> usize {
-        self.pulled.len()
+        self.groups.len()
     }
 
     fn sum_row(&self, sum: usize) -> SumRow {
-        let index = self.pulled[sum];
-        let driven = &self.problem.drive().cables[index];
-        let pull = match driven.input {
-            Input::Pull(pull) => pull,
-            Input::Load(_) => 0.0,
-        };
+        let Group { cable, first, last } = self.groups[sum];
+        let driven = &self.problem.drive().cables[cable];
         // A multiplier λ is the tension T = λ EI/(L n).
-        let compliance = match self.per_energy {
-            0.0 => 0.0,
-            per_energy => driven.cable.compliance / per_energy,
+        let (held, yielding) = match self.frozen.get(cable) {
+            Some(frozen) => {
+                let yielding = self.yielding(cable);
+                let below = match driven.input {
+                    Input::Pull(pull) if first == 1 => pull,
+                    _ => frozen.drawn[first - 1],
+                };
+                let beyond = frozen.drawn.get(last).copied().unwrap_or(0.0);
+                let extra: f64 = frozen.extra[first - 1..last].iter().sum();
+                let count = (last + 1 - first) as f64;
+                (below - beyond - yielding * extra, yielding * count)
+            }
+            None => {
+                let per_energy = self.per_energy;
+                let stretches = per_energy > 0.0;
+                let compliance = if stretches {
+                    driven.cable.compliance / per_energy
+                } else {
+                    0.0
+                };
+                (driven.input.pull(), compliance)
+            }
         };
         SumRow {
-            id: RowKind::Cable { cable: index }.id(self.problem.obstacles().len()),
-            bound: -pull,
-            compliance,
+            id: self.group_id(sum),
+            bound: -held,
+            compliance: yielding,
         }
     }
 
     fn sum_term(&self, sum: usize, k: usize, (_, bay): &(usize, Bay<NU>)) -> (f64, Control<NU>) {
-        match self.offset(self.pulled[sum], k) {
+        match self.held_offset(sum, k) {
             Some(offset) => {
                 let stretch = Stretch::of(bay, offset);
                 (self.bay_length() - stretch.length, -stretch.gradient)
@@ -372,7 +439,7 @@ impl<const NU: usize> Chain<3, NU> for Sliding<NU> {
         k: usize,
         (_, bay): &(usize, Bay<NU>),
     ) -> SMatrix<f64, NU, NU> {
-        match self.offset(self.pulled[sum], k) {
+        match self.held_offset(sum, k) {
             Some(offset) => -Stretch::of(bay, offset).curvature(bay, offset),
             None => SMatrix::zeros(),
         }

@@ -18,6 +18,8 @@ mod bay;
 mod branch;
 mod certifier;
 mod chain;
+mod friction;
+mod rubbing;
 mod stretch;
 
 pub use certifier::rests_under_load;

@@ -119,6 +119,8 @@ fn pressed() -> (Problem, Vec<Contact>) {
             normal,
             clearance: 0.0,
             multiplier: 20.0 + index as f64,
+            friction: 0.0,
+            slid: 0.0,
             class: Class::Pressing,
         });
     }

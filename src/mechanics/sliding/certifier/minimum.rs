@@ -3,7 +3,8 @@
 //!
 //! The second variation of energy less work is a quadratic form in the displacements
 //! of nodes, the changes b of bends, and a multiplier τ for each tense cable under
-//! pull. What is above a node is a form V in its displacement z, that of the disk below
+//! pull or, with friction, for each part of one between holes where it sticks; the
+//! differences between the tensions of its stretches are given ones there. What is above a node is a form V in its displacement z, that of the disk below
 //! it and τ; an arc makes it one in those of the node before it:
 //!
 //! ```text
@@ -16,9 +17,10 @@
 //! held by stiffnesses, as many of them as it takes.
 
 use super::Certifier;
+use super::friction::{tension, yielding};
 use crate::contact::Contact;
 use crate::geometry::{Edge, Vector, perpendicular};
-use crate::mechanics::{CableState, Input, Problem};
+use crate::mechanics::{CableState, Input, Problem, Slip, Strand};
 use crate::robot::Element;
 use nalgebra::{SMatrix, SVector};
 
@@ -46,8 +48,17 @@ pub(super) struct Elimination {
     /// V, and the form with b as its last unknown; square, row by row.
     form: Vec<f64>,
     with_bend: Vec<f64>,
-    /// The tense cables under pull, by their indices.
-    held: Vec<usize>,
+    /// What is held of tense cables: whole ones under pull and, where one sticks in
+    /// holes, its parts between them.
+    held: Vec<Held>,
+}
+
+/// Stretches of a cable whose length is held, ends included.
+#[derive(Clone, Copy, Debug)]
+struct Held {
+    cable: usize,
+    first: usize,
+    last: usize,
 }
 
 /// Of what V is: 3 of the node, 3 of the disk below it, then τ.
@@ -60,15 +71,30 @@ impl Certifier {
         &mut self,
         problem: &Problem,
         contacts: &[Contact],
-        cables: &[CableState],
+        cables: (&[CableState], &[Strand]),
     ) -> bool {
         let mut elimination = std::mem::take(&mut self.elimination);
         elimination.held.clear();
-        let driven = problem.drive().cables.iter().zip(cables).enumerate();
-        let tense = driven.filter(|(_, (driven, state))| {
-            matches!(driven.input, Input::Pull(_)) && state.tension > 0.0
-        });
-        elimination.held.extend(tense.map(|(index, _)| index));
+        let driven = problem.drive().cables.iter().zip(cables.0).enumerate();
+        for (cable, (driven, state)) in driven {
+            let strand = cables.1.get(cable);
+            let last = driven.cable.last_disk;
+            let sticks = |hole: usize| {
+                strand.is_some_and(|strand| strand.slips.get(hole) == Some(&Slip::Sticks))
+            };
+            let whole = matches!(driven.input, Input::Pull(_));
+            let mut first = 1;
+            for hole in 1..=last {
+                if hole == last || sticks(hole) {
+                    let is_held = first > 1 || whole || sticks(0);
+                    if is_held && tension(state, strand, first) > 0.0 {
+                        let last = hole;
+                        elimination.held.push(Held { cable, first, last });
+                    }
+                    first = hole + 1;
+                }
+            }
+        }
         let found = STIFFNESSES.iter().any(|stiffness| {
             let arc = problem.robot().segment_length();
             let stiffness = stiffness / (arc * arc);
@@ -81,7 +107,7 @@ impl Certifier {
     fn eliminate(
         &self,
         problem: &Problem,
-        (contacts, cables): (&[Contact], &[CableState]),
+        (contacts, cables): (&[Contact], (&[CableState], &[Strand])),
         stiffness: f64,
         elimination: &mut Elimination,
     ) -> bool {
@@ -179,13 +205,13 @@ impl Certifier {
         &self,
         problem: &Problem,
         (up, low): (usize, usize),
-        cables: &[CableState],
-        held: &[usize],
+        cables: (&[CableState], &[Strand]),
+        held: &[Held],
         form: &mut [f64],
     ) {
         let size = FREE + held.len();
         let bay = problem.robot().segments_per_bay;
-        let driven = problem.drive().cables.iter().zip(cables).enumerate();
+        let driven = problem.drive().cables.iter().zip(cables.0).enumerate();
         for (index, (driven, state)) in driven {
             if up > driven.cable.last_disk * bay {
                 continue;
@@ -210,8 +236,15 @@ impl Certifier {
             });
             part[(2, 2)] -= direction.dot(&arms[0]);
             part[(5, 5)] += direction.dot(&arms[1]);
-            add(form, size, &(state.tension * part));
-            if let Some(place) = held.iter().position(|held| *held == index) {
+            let stretch = up / bay;
+            add(
+                form,
+                size,
+                &(tension(state, cables.1.get(index), stretch) * part),
+            );
+            let holds =
+                |held: &Held| held.cable == index && (held.first..=held.last).contains(&stretch);
+            if let Some(place) = held.iter().position(holds) {
                 for j in 0..6 {
                     form[j * size + FREE + place] += gradient[j];
                     form[(FREE + place) * size + j] += gradient[j];
@@ -290,7 +323,23 @@ impl Certifier {
         if start != end {
             part[(5, 5)] -= first;
         }
-        stiffness * gradient * gradient.transpose() - contact.multiplier * part
+        let mut form = stiffness * gradient * gradient.transpose() - contact.multiplier * part;
+        if contact.friction != 0.0 {
+            // A dead load on the surface, which the disks' turning moves on circles.
+            let tangent = contact.tangent();
+            let down = -candidate.radius * normal;
+            let turned = |share: f64, arm: Vector| share * tangent.dot(&(arm + down));
+            let (first, last) = (turned(1.0 - share, arms.0), turned(share, arms.1));
+            form[(2, 2)] += contact.friction * if start == end { first + last } else { last };
+            if start != end {
+                form[(5, 5)] += contact.friction * first;
+            }
+            if Slip::of(contact.slid) == Slip::Sticks {
+                let along = SVector::<f64, 6>::from_fn(|j, _| tangent.dot(&point(moves(j))));
+                form += stiffness * along * along.transpose();
+            }
+        }
+        form
     }
 }
 
@@ -366,12 +415,11 @@ fn merge_low(form: &mut [f64], size: usize) {
 
 /// How many eigenvalues of the form in τ at the base, which does not move, are
 /// negative.
-fn negative_of(form: &mut [f64], size: usize, held: &[usize], problem: &Problem) -> usize {
-    let unit = Certifier::per_bend(problem);
-    for (place, cable) in held.iter().enumerate() {
+fn negative_of(form: &mut [f64], size: usize, held: &[Held], problem: &Problem) -> usize {
+    for (place, held) in held.iter().enumerate() {
         let at = FREE + place;
-        let compliance = problem.drive().cables[*cable].cable.compliance;
-        form[at * size + at] -= unit * compliance;
+        let stretches = (held.last + 1 - held.first) as f64;
+        form[at * size + at] -= stretches * yielding(problem, held.cable);
     }
     let mut negative = 0;
     for pivot in FREE..size {

@@ -24,6 +24,7 @@ impl Told {
             nodes: &self.nodes,
             contacts: &self.contacts,
             cables: &self.cables,
+            strands: &[],
         };
         let sliding: Sliding<2> = Sliding::new(self.problem.clone());
         let certificate = Certifier::default().certify(&sliding, found);
@@ -149,6 +150,7 @@ fn a_straight_robot_is_a_minimum_up_to_where_it_buckles_between_disks() {
         let state = CableState {
             pull: 0.0,
             tension: 0.5 * sum / per_bend,
+            load: 0.5 * sum / per_bend,
             is_slack: false,
         };
         let told = Told {
