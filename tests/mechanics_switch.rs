@@ -5,7 +5,7 @@ mod window_harness;
 
 use eframe::egui::{Key, Modifiers, Theme};
 use egui_kittest::kittest::{NodeT, Queryable};
-use sinew::app::{Selection, Workbench};
+use sinew::app::{Hovered, Selection, Workbench};
 use sinew::equilibrium::{Settings, Start, solve};
 use sinew::mechanics::{Model, Problem};
 use sinew::scene::{Cable, Drive, Mechanics, Scene};

@@ -135,11 +135,16 @@ fn groups() -> [Vec<Pane>; 3] {
     [
         vec![
             Pane::Plot(Plot::Multipliers),
+            Pane::Plot(Plot::Tension),
             Pane::Plot(Plot::Bends),
             Pane::Contacts,
         ],
         vec![Pane::Plot(Plot::Tip), Pane::Plot(Plot::Energy)],
-        vec![Pane::Plot(Plot::Force), Pane::Obstacles],
+        vec![
+            Pane::Plot(Plot::Force),
+            Pane::Plot(Plot::Load),
+            Pane::Obstacles,
+        ],
     ]
 }
 
@@ -324,6 +329,8 @@ impl Shown<'_> {
             asked: live.problem(),
             solved: &live.solved(),
             path: live.path().map(|path| &**path),
+            walked: self.bench.load_trace.steps(),
+            cable: self.bench.cable(),
             window: self.link.window,
             shape_generation: live.revision(),
             path_generation: live.path_revision(),

@@ -1,7 +1,7 @@
 //! What there is to plot, and what a hand on a plot asks for: plain data, with
 //! no pane and no picture.
 
-use crate::app::workbench::Hovered;
+use crate::app::workbench::{Hovered, Step};
 use crate::equilibrium::Solved;
 use crate::explore::Path;
 use crate::forces::{Stiffness, Window};
@@ -22,16 +22,22 @@ pub enum Plot {
     Energy,
     /// Bends and shears by segment.
     Bends,
+    /// The cables' tension, stretch by stretch.
+    Tension,
+    /// A cable's load over its pull, as a hand went.
+    Load,
 }
 
 impl Plot {
     /// All of them, in the order of the dock.
-    pub const ALL: [Plot; 5] = [
+    pub const ALL: [Plot; 7] = [
         Plot::Multipliers,
         Plot::Tip,
         Plot::Force,
         Plot::Energy,
         Plot::Bends,
+        Plot::Tension,
+        Plot::Load,
     ];
 
     /// Its name on its tab.
@@ -42,6 +48,8 @@ impl Plot {
             Plot::Force => "Force",
             Plot::Energy => "Energy",
             Plot::Bends => "Bends",
+            Plot::Tension => "Tension",
+            Plot::Load => "Load",
         }
     }
 
@@ -53,6 +61,8 @@ impl Plot {
             Plot::Force => "force",
             Plot::Energy => "energy",
             Plot::Bends => "bends",
+            Plot::Tension => "tension",
+            Plot::Load => "load",
         }
     }
 }
@@ -68,6 +78,10 @@ pub struct PlotData<'a> {
     pub solved: &'a Solved,
     /// The robot along its pull, as far as it is known.
     pub path: Option<&'a Path>,
+    /// How the cables were loaded.
+    pub walked: &'a [Step],
+    /// The cable that is set, from 0.
+    pub cable: usize,
     /// The pulls that lines are fitted on.
     pub window: Window,
     /// Changes whenever the problem or the solution does.

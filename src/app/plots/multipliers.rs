@@ -9,7 +9,7 @@ use super::pane::{
 };
 use crate::app::look::{Tokens, theme_of};
 use crate::app::words;
-use crate::app::workbench::Hovered;
+use crate::app::workbench::{Hovered, nodes_of_stretch};
 use crate::contact::Class;
 use crate::robot::part_name;
 use crate::units::{grams, millimetres, per_millimetre};
@@ -23,7 +23,7 @@ const FULL: f64 = 0.95;
 
 /// The unit of the axis: a power of a thousand that leaves one to three digits
 /// before the point.
-fn scale(greatest: f64) -> (f64, String) {
+pub(super) fn scale(greatest: f64) -> (f64, String) {
     if greatest <= 0.0 {
         return (1.0, "rad²/mm".to_owned());
     }
@@ -37,7 +37,7 @@ fn scale(greatest: f64) -> (f64, String) {
 
 /// The least of 1, 1.5, 2, 3, 5 and 8 times a power of ten that a value fits under,
 /// so that stems grow with the pull and the axis changes now and then only.
-fn ceiling(value: f64) -> f64 {
+pub(super) fn ceiling(value: f64) -> f64 {
     if value <= 0.0 {
         return 1.0;
     }
@@ -164,10 +164,20 @@ fn nodes(surface: &Surface<'_>, data: &PlotData<'_>, link: &Link, tokens: &Token
     let robot = data.problem().robot();
     let frame = surface.frame();
     let spacing = surface.x(1.0) - surface.x(0.0);
-    if let Hovered::Node(node) = link.hovered {
-        let half = (0.5 * spacing).max(1.5);
-        let x = surface.x(node as f64);
-        let band = Rect::from_x_y_ranges(x - half..=x + half, frame.y_range());
+    let half = (0.5 * spacing).max(1.5);
+    let lit = match link.hovered {
+        Hovered::Node(node) => {
+            let x = surface.x(node as f64);
+            Some([x - half, x + half])
+        }
+        Hovered::Stretch { stretch, .. } => {
+            let nodes = nodes_of_stretch(data.problem(), stretch);
+            Some([nodes.start, nodes.end].map(|node| surface.x(node as f64)))
+        }
+        _ => None,
+    };
+    if let Some([left, right]) = lit {
+        let band = Rect::from_x_y_ranges(left..=right, frame.y_range());
         surface
             .painter
             .rect_filled(band, 0.0, tokens.accent.gamma_multiply(0.10));

@@ -44,7 +44,7 @@ pub(super) fn heat(theme: Theme, share: f64) -> Color32 {
 }
 
 /// Text in pieces of their own colours, at the plots' size.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Text {
     job: LayoutJob,
     /// Where values end: the sections and bytes up to there.

@@ -14,6 +14,7 @@ mod document;
 mod files;
 mod history;
 mod live;
+mod load_trace;
 mod loads;
 mod measuring;
 mod notices;
@@ -32,6 +33,7 @@ pub use document::Document;
 pub use files::{Arrival, Asked, Files, Intent, Saved};
 pub use history::{Gesture, History};
 pub use live::{Answered, Live};
+pub use load_trace::{LoadTrace, Loaded, Step};
 pub use loads::Loads;
 pub use measuring::{Basis, Best, Measuring, Search};
 pub use notices::{Notice, Notices, Tone};
@@ -40,7 +42,7 @@ pub use photos::{Coming, Photograph, Photos, Scaling, photo_centre};
 pub use preferences::{Hints, Preferences, Rescale, Views};
 pub use pull::{Held, Playing};
 pub use refusal::{Complaint, Refusal};
-pub use selection::{Hovered, Selection};
+pub use selection::{Hovered, Selection, nodes_of_stretch};
 pub use trace::Trace;
 pub use transport::Transport;
 pub use trouble::Trouble;
@@ -74,6 +76,8 @@ pub struct Workbench {
     tasks: u64,
     /// Where the tip has been.
     pub trace: Trace,
+    /// How the cables were loaded.
+    pub load_trace: LoadTrace,
     /// The backbone's nodes, in metres, before the last jump, until a view takes
     /// them.
     pub left_behind: Option<Vec<Vector>>,
@@ -128,6 +132,7 @@ impl Workbench {
             document,
             opened: 0,
             trace: Trace::default(),
+            load_trace: LoadTrace::default(),
             left_behind: None,
             selection: Selection::Nothing,
             hovered: Hovered::Nothing,
@@ -167,6 +172,7 @@ impl Workbench {
 
     /// Follows the present scene anew from the straight robot.
     pub fn restart(&mut self) {
+        self.load_trace.clear();
         self.ask(StartFrom::Straight);
     }
 
@@ -222,6 +228,7 @@ impl Workbench {
                 self.left_behind = Some(leap.backbone);
             }
             self.trace.follow(&self.live);
+            self.load_trace.follow(&self.live);
             self.redraw();
         }
         self.look_at_the_other();
