@@ -1,12 +1,12 @@
-//! Dragging: the view, obstacles, their handles, new obstacles, the tip and the force
-//! on it.
+//! Dragging: the view, obstacles, their handles, new obstacles, the tip, the force on
+//! it, gravity's direction.
 //! Each frame starts from the scene as it was when the drag began, so that
 //! rounding does not add up and giving up restores it exactly.
 
 use super::hit::{self, Target};
 use super::pull::TipMap;
-use super::tip_force;
 use super::view::Canvas;
+use super::{gravity, tip_force};
 use crate::app::shapes::{self, Handle, Tool, drag, handles, moved, neat, vertices};
 use crate::app::workbench::{Playing, Selection, Workbench};
 use crate::geometry::Vector;
@@ -61,6 +61,8 @@ pub enum Dragged {
         /// The force, in N, that it was.
         force: Vector,
     },
+    /// Gravity's direction.
+    Gravity,
 }
 
 impl Drag {
@@ -139,6 +141,7 @@ impl Drag {
                 };
                 Self::new(bench, what, origin)
             }
+            Target::Gravity => Self::new(bench, Dragged::Gravity, origin),
             Target::Robot | Target::Nothing => Self::view(bench),
         }
     }
@@ -218,6 +221,16 @@ impl Drag {
                 };
                 bench.document.scene.loads.tip_force_n = force.into();
             }
+            Dragged::Gravity => {
+                let snap = match modifiers.shift {
+                    true => gravity::Snap::Marks,
+                    false => gravity::Snap::Degrees,
+                };
+                // From where it was, so that its size stays what it is.
+                let scene = &mut bench.document.scene;
+                scene.loads.gravity_m_s2 = self.before.loads.gravity_m_s2;
+                gravity::turn(scene, frame, frame.to_screen(at), snap);
+            }
             Dragged::Tip {
                 map,
                 stood,
@@ -252,6 +265,7 @@ impl Drag {
             Dragged::Handle(index, handle, _) => Target::Handle(*index, *handle),
             Dragged::Tip { .. } => Target::Tip,
             Dragged::TipForce { .. } => Target::TipForce,
+            Dragged::Gravity => Target::Gravity,
         }
     }
 
@@ -267,6 +281,10 @@ impl Drag {
                 shape(*index).map_or(Vec::new(), |shape| handle_reading(shape, *handle))
             }
             Dragged::Tip { .. } => vec![("Pull", mm(bench.pull_mm()))],
+            Dragged::Gravity => match gravity::of(bench) {
+                Some(gravity) => vec![("Gravity towards", gravity::direction(gravity))],
+                None => Vec::new(),
+            },
             Dragged::TipForce { .. } => {
                 let force = tip_force::force(bench).norm();
                 vec![("Force", Quantity::significant(force, "N"))]

@@ -1,6 +1,6 @@
 //! What is under a point of the canvas, and how near is near enough.
 
-use super::tip_force;
+use super::{gravity, tip_force};
 use crate::app::shapes::{Handle, Tool, Turned, handles};
 use crate::app::workbench::{Hovered, Live, Workbench, nodes_of_stretch};
 use crate::equilibrium::Solved;
@@ -52,6 +52,8 @@ pub enum Target {
     Tip,
     /// The force on it.
     TipForce,
+    /// The dial of gravity.
+    Gravity,
     /// An obstacle.
     Obstacle(usize),
     /// The robot.
@@ -78,6 +80,10 @@ pub fn target_at(
     point: Vector,
     reach: Reach,
 ) -> Target {
+    let place = frame.to_screen(point);
+    if tool == Tool::Select && gravity::is_held_at(bench, frame, place, 1.5 * reach.handle) {
+        return Target::Gravity;
+    }
     if let Some((index, shape)) = selected(tool, bench, frame) {
         let all = handles(&shape, per_point(frame));
         let away = all.iter().map(|(_, at)| at * METRES_PER_MM);
@@ -224,7 +230,7 @@ pub fn cursor(target: Target, shape: Option<&Shape>, held: Held) -> CursorIcon {
             Handle::End(_) | Handle::Vertex(_) => CursorIcon::Move,
             Handle::Turn => held.cursor(),
         },
-        Target::Tip | Target::TipForce | Target::Obstacle(_) => held.cursor(),
+        Target::Tip | Target::TipForce | Target::Gravity | Target::Obstacle(_) => held.cursor(),
         Target::Robot => CursorIcon::PointingHand,
         Target::Nothing => CursorIcon::Default,
     }

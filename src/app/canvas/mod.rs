@@ -6,6 +6,7 @@ mod banner;
 mod camera;
 mod chip;
 mod drag;
+mod gravity;
 mod handles;
 mod hints;
 mod hit;
@@ -23,6 +24,7 @@ mod tip_force;
 mod tools;
 mod view;
 
+pub use gravity::EARTHS;
 pub use keys::hold_space;
 pub use view::Canvas;
 
@@ -136,6 +138,7 @@ fn picture(
         handles::paint(&painter, &shape, frame, filled, reach, &tokens);
     }
     tip_force::paint(&painter, bench, frame, &tokens);
+    gravity::paint(&painter, bench, frame, target == Target::Gravity, &tokens);
     if target == Target::Tip {
         overlay::tip_ring(&painter, &bench.live, frame, &tokens);
     }

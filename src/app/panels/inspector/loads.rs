@@ -1,6 +1,7 @@
 //! What acts on a robot beside its cables and obstacles: a force on its tip, a moment,
 //! gravity with the masses that it acts on.
 
+use crate::app::canvas::EARTHS;
 use crate::app::widgets::{Form, Kind, Number};
 use crate::scene::Scene;
 use crate::scene::limits::{GRAVITY, Limits, MASS, TIP_FORCE, TIP_MOMENT};
@@ -23,9 +24,17 @@ pub(super) fn show(ui: &mut Ui, form: &mut Form<'_>, scene: &mut Scene) {
     form.notes(ui, "loads.tip_force_n");
     let number = plain("loads.tip_moment_nmm", "Tip moment", TIP_MOMENT);
     form.number(ui, &number, &mut loads.tip_moment_nmm);
-    for (axis, name) in ["Gravity x", "Gravity y"].into_iter().enumerate() {
-        let number = plain(format!("loads.gravity_m_s2[{axis}]"), name, GRAVITY);
-        form.number(ui, &number, &mut loads.gravity_m_s2[axis]);
+    let mut falls = loads.gravity_m_s2 != [0.0; 2];
+    let switch = ui.checkbox(&mut falls, "Gravity");
+    let tip = "An arrow on the canvas, which can be turned, shows where to";
+    if switch.on_hover_text(tip).changed() {
+        loads.gravity_m_s2 = if falls { EARTHS } else { [0.0; 2] };
+    }
+    if falls {
+        for (axis, name) in ["Gravity x", "Gravity y"].into_iter().enumerate() {
+            let number = plain(format!("loads.gravity_m_s2[{axis}]"), name, GRAVITY);
+            form.number(ui, &number, &mut loads.gravity_m_s2[axis]);
+        }
     }
     form.notes(ui, "loads.gravity_m_s2");
     let robot = &mut scene.robot;
