@@ -10,6 +10,7 @@
 //! left in [`Workbench::commands`] until the end of the frame.
 
 mod allowed;
+mod along;
 mod document;
 mod files;
 mod history;
@@ -29,6 +30,7 @@ mod transport;
 mod trouble;
 mod unsaved;
 
+pub use along::Along;
 pub use document::Document;
 pub use files::{Arrival, Asked, Files, Intent, Saved};
 pub use history::{Gesture, History};
@@ -114,6 +116,8 @@ pub struct Workbench {
     pub measuring: Measuring,
     /// The scene in the other mechanics.
     pub other: Other,
+    /// The path along another cable than the first.
+    pub along: Along,
 }
 
 impl Workbench {
@@ -150,6 +154,7 @@ impl Workbench {
             photos: Photos::default(),
             measuring: Measuring::default(),
             other: Other::default(),
+            along: Along::default(),
         };
         bench.restart();
         bench
@@ -218,6 +223,7 @@ impl Workbench {
                 Update::Answer { task, answer } => match *answer {
                     Answer::BestPull(fit) => self.measuring.end(task, fit),
                     Answer::Shape(shape) => self.other.take(task, *shape),
+                    Answer::Path(path) => self.along.take(task, *path),
                 },
             }
         }
@@ -232,6 +238,7 @@ impl Workbench {
             self.redraw();
         }
         self.look_at_the_other();
+        self.look_along();
     }
 
     /// Takes the scene as it has become and asks for its shape or, if it cannot
@@ -268,7 +275,7 @@ impl Workbench {
     /// it is over.
     pub fn settle(&mut self, ctx: &Context) {
         self.take_edits(ctx);
-        if self.look_at_the_other() {
+        if self.look_at_the_other() | self.look_along() {
             ctx.request_repaint();
         }
         let gesture = self.gesture(ctx);

@@ -123,6 +123,22 @@ impl Workbench {
         self.document.scene.set_drive(cable, drive);
     }
 
+    /// Brings the cable that is set to a pull on its path, in mm. What is held of it
+    /// stays held.
+    pub fn go_along(&mut self, pull_mm: f64) {
+        let cable = self.cable();
+        match (cable, self.held(cable)) {
+            (0, _) => self.set_pull(pull_mm, Playing::GoesOn),
+            (_, Held::Pull) => self.set_pull_of(cable, pull_mm),
+            (_, Held::Load) => {
+                if let Some(loads) = self.loads_along() {
+                    let load_g = rounded(loads.load_g(pull_mm).max(0.0), LOAD_GRAIN_G);
+                    self.set_load(cable, load_g);
+                }
+            }
+        }
+    }
+
     /// Sets the load on a cable, in g.
     pub fn set_load(&mut self, cable: usize, load_g: f64) {
         match self.model() {
