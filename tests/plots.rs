@@ -14,6 +14,7 @@ use sinew::mechanics::Problem;
 use sinew::record::path::rows;
 use sinew::scene::{Cable, Drive, ForceReading, Measurements, Scene, Shape};
 use sinew::units::grams;
+use sinew::view::{ForceScale, Notes, draw};
 
 const FREE: &str = include_str!("../assets/scenes/free.toml");
 const TWO_DISCS: &str = include_str!("../assets/scenes/two-discs.toml");
@@ -75,10 +76,15 @@ impl Bench {
             path: self.path.as_ref(),
             walked: &self.walked,
             cable: 0,
+            scale: self.scale(),
             window: self.link.window,
             shape_generation: 1,
             path_generation: 1,
         }
+    }
+
+    fn scale(&self) -> ForceScale {
+        draw(&self.solution, &Notes::of(&self.scene)).scale
     }
 
     /// The same without what a hand has done.

@@ -268,8 +268,9 @@ fn solid_image(
 
 fn solids(text: &str, theme: Theme, aspect: f64) -> SolidPicture {
     let (scene, problem, solution) = solved(text);
-    let standing = draw(&solution, &Notes::of(&scene)).standing;
-    let mesh = render::mesh(&solution, problem.obstacles(), theme, &standing);
+    let drawing = draw(&solution, &Notes::of(&scene));
+    let (standing, scale) = (&drawing.standing, drawing.scale);
+    let mesh = render::mesh(&solution, problem.obstacles(), scale, theme, standing);
     SolidPicture {
         camera: Camera::fitting(&mesh.focus, aspect),
         mesh: Arc::new(mesh),
@@ -393,7 +394,9 @@ fn contacts_glow_and_grey_shapes_do_not() {
             what: "Unfinished",
             reason: String::new(),
         };
-        let mesh = render::mesh(&solution, problem.obstacles(), theme, &greyed);
+        let (scene, ..) = solved(TWO_DISCS);
+        let scale = draw(&solution, &Notes::of(&scene)).scale;
+        let mesh = render::mesh(&solution, problem.obstacles(), scale, theme, &greyed);
         let grey = SolidPicture {
             mesh: Arc::new(mesh),
             ..certified

@@ -145,7 +145,7 @@ fn picture(
     overlay::scale_bar(&painter, frame, canvas.strip, theme);
     backdrop::before(&painter, bench, frame, theme);
     if !bench.live.drawing().standing.is_greyed() {
-        overlay::legend(&painter, bench.live.drawing(), rect, theme);
+        overlay::legend(&painter, bench.live.drawing(), frame, rect, theme);
     }
     match lit {
         Hovered::Obstacle(_) => {}

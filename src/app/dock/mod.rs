@@ -331,6 +331,7 @@ impl Shown<'_> {
             path: live.path().map(|path| &**path),
             walked: self.bench.load_trace.steps(),
             cable: self.bench.cable(),
+            scale: live.drawing().scale,
             window: self.link.window,
             shape_generation: live.revision(),
             path_generation: live.path_revision(),

@@ -108,7 +108,7 @@ pub(super) struct Stem {
     pub part: &'static str,
     /// In rad²/mm; 0 for a contact that grazes.
     pub multiplier: f64,
-    /// As a share of the greatest.
+    /// As a share of the scale that forces are drawn by.
     pub share: f64,
     pub twin: Twin,
 }
@@ -244,10 +244,9 @@ impl Shape {
                     Line::DiskFace => "disk",
                 },
                 multiplier,
-                share: if self.greatest > 0.0 {
-                    multiplier / self.greatest
-                } else {
-                    0.0
+                share: match contact.class {
+                    Class::Pressing => data.scale.of(contact),
+                    Class::Grazing => 0.0,
                 },
                 twin: Twin::None,
             });

@@ -8,6 +8,7 @@ use crate::forces::{Stiffness, Window};
 use crate::math::within;
 use crate::mechanics::Problem;
 use crate::scene::{ForceReading, Scene};
+use crate::view::ForceScale;
 
 /// A plot of the dock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -82,6 +83,8 @@ pub struct PlotData<'a> {
     pub walked: &'a [Step],
     /// The cable that is set, from 0.
     pub cable: usize,
+    /// What forces are drawn by.
+    pub scale: ForceScale,
     /// The pulls that lines are fitted on.
     pub window: Window,
     /// Changes whenever the problem or the solution does.

@@ -229,7 +229,7 @@ fn draw(
     let ink = heat(theme, stem.share);
     // The bright end of the scale would not stand out by day.
     let edge = match theme {
-        Theme::Light => heat(theme, 0.0),
+        Theme::Light => heat(theme, 1.0),
         Theme::Dark => ink,
     };
     surface.painter.line_segment(

@@ -13,6 +13,7 @@ mod allowed;
 mod along;
 mod document;
 mod files;
+mod held_scale;
 mod history;
 mod live;
 mod load_trace;
@@ -33,6 +34,7 @@ mod unsaved;
 pub use along::Along;
 pub use document::Document;
 pub use files::{Arrival, Asked, Files, Intent, Saved};
+pub use held_scale::HeldScale;
 pub use history::{Gesture, History};
 pub use live::{Answered, Live};
 pub use load_trace::{LoadTrace, Loaded, Step};
@@ -78,6 +80,8 @@ pub struct Workbench {
     tasks: u64,
     /// Where the tip has been.
     pub trace: Trace,
+    /// What forces are drawn by.
+    pub held_scale: HeldScale,
     /// How the cables were loaded.
     pub load_trace: LoadTrace,
     /// The backbone's nodes, in metres, before the last jump, until a view takes
@@ -136,6 +140,7 @@ impl Workbench {
             document,
             opened: 0,
             trace: Trace::default(),
+            held_scale: HeldScale::default(),
             load_trace: LoadTrace::default(),
             left_behind: None,
             selection: Selection::Nothing,
@@ -168,6 +173,7 @@ impl Workbench {
     pub fn open(&mut self, scene: Scene) -> Result<(), Vec<SceneError>> {
         self.document = Document::new(scene)?;
         self.opened += 1;
+        self.held_scale = HeldScale::default();
         self.selection = Selection::Nothing;
         self.transport.stop();
         self.trace.clear();
@@ -279,6 +285,15 @@ impl Workbench {
             ctx.request_repaint();
         }
         let gesture = self.gesture(ctx);
+        let was_going = std::mem::replace(&mut self.held_scale.is_going, gesture == Gesture::Going);
+        if was_going && gesture == Gesture::Over {
+            // What was held may be let go.
+            let held = self.live.drawing().scale;
+            if self.force_scale() != held {
+                self.redraw();
+                ctx.request_repaint();
+            }
+        }
         self.history.observe(&self.document.scene, gesture);
         if self.hovering != self.hovered {
             // Its twins light up in parts that were shown before this was known.
@@ -310,6 +325,7 @@ impl Workbench {
     /// Draws anew what has changed.
     pub fn redraw(&mut self) {
         let mut notes = Notes::of(&self.document.scene);
+        notes.scale = Some(self.force_scale());
         if self.preferences.trace {
             notes.tip_trace = self.trace.points().to_vec();
         }
