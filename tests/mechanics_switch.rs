@@ -280,6 +280,28 @@ fn the_inspector_tells_what_each_cable_does() {
 }
 
 #[test]
+fn what_was_asked_and_what_was_reached_are_both_told() {
+    let text = include_str!("../assets/scenes/one-disc.toml");
+    let scene = Scene::from_toml(text).unwrap();
+    let mut window = Window::sized([1280.0, 1200.0], Theme::Light, Some(scene));
+    assert!(window.bench().reached(0).is_none());
+    assert!(!told(&window, "reached"));
+    edit(&mut window, |scene| scene.set_pull_mm(25.0));
+    let reached = window.bench().reached(0).unwrap();
+    let solution = window.bench().live.solution().unwrap();
+    assert_eq!(reached, millimetres(solution.pull));
+    assert!((14.0..24.9).contains(&reached), "{reached}");
+    assert!(told(
+        &window,
+        &format!("Asked 25.00 mm, reached {reached:.2} mm")
+    ));
+    // In the panel, too.
+    assert!(told(&window, "Asked 25.00 mm"));
+    edit(&mut window, |scene| scene.set_pull_mm(3.0));
+    assert!(window.bench().reached(0).is_none());
+}
+
+#[test]
 fn gravity_is_switched_on_and_turned_by_hand() {
     let mut scene = Scene::from_toml(TWO_POSTS).unwrap();
     scene.obstacles.clear();

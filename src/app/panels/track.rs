@@ -46,6 +46,7 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
         ends.min + share as f32 * (ends.max - ends.min)
     };
     marks(ui, bench, response.rect, ends, at);
+    ghost(ui, bench, &response, span, ends);
     // Pulls that are hovered elsewhere are the first cable's.
     if let Hovered::Pull(pull) = bench.hovered
         && cable == 0
@@ -85,6 +86,23 @@ fn load_slider(ui: &mut Ui, bench: &mut Workbench, cable: usize) -> ((f64, f64),
         bench.set_load(cable, load_g);
     }
     (span, response)
+}
+
+/// A ghost of the handle where the robot was brought to, while more is asked.
+fn ghost(ui: &Ui, bench: &Workbench, slider: &Response, span: (f64, f64), ends: Rangef) {
+    let Some(reached) = bench.reached(bench.cable()) else {
+        return;
+    };
+    let share = (reached - span.0) / (span.1 - span.0).max(f64::MIN_POSITIVE);
+    let x = ends.min + share as f32 * (ends.max - ends.min);
+    if ends.contains(x) {
+        let tokens = Tokens::in_ui(ui);
+        let centre = pos2(x, slider.rect.center().y);
+        let radius = 0.36 * slider.rect.height();
+        let stroke = Stroke::new(1.5, tokens.warning);
+        ui.painter()
+            .circle(centre, radius, tokens.panel.gamma_multiply(0.6), stroke);
+    }
 }
 
 /// The marks of the path, if it is known, below the rail; each tells what it

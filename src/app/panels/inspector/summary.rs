@@ -26,6 +26,11 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     let mm = |value: f64| Quantity::fixed(millimetres(value), 2, "mm");
     row::fact(ui, "Status", "", &word(Verdict::of(&bench.live).word()));
     row::fact(ui, "Pull", "l", &mm(solution.pull));
+    if let Some(asked) = bench.document.scene.cable(0).drive.pull_mm()
+        && bench.reached(0).is_some()
+    {
+        row::fact(ui, "Asked", "", &Quantity::fixed(asked, 2, "mm"));
+    }
     if let [base, .., tip] = solution.nodes.as_slice() {
         // Clockwise, as the robot bends when it is pulled.
         let bend = base.angle - tip.angle;
