@@ -11,10 +11,14 @@ use crate::app::shapes::{self, Handle, Tool, drag, handles, moved, neat, vertice
 use crate::app::workbench::{Playing, Selection, Workbench};
 use crate::geometry::Vector;
 use crate::scene::{Obstacle, Scene, Shape};
-use crate::units::{METRES_PER_MM, millimetres};
+use crate::units::{METRES_PER_MM, metres, millimetres};
 use crate::view::{Frame, Quantity};
 use eframe::egui::Modifiers;
 
+/// A tip is behind the hand that drags it at this distance, and at the end of its path
+/// so near to it in pull, over the robot's length.
+const BEHIND: f64 = 0.08;
+const ENDS: f64 = 1e-4;
 /// A force whose arrow is shorter than this, in points, is none.
 const NO_FORCE: f64 = 6.0;
 
@@ -280,7 +284,11 @@ impl Drag {
             Dragged::Handle(index, handle, _) => {
                 shape(*index).map_or(Vec::new(), |shape| handle_reading(shape, *handle))
             }
-            Dragged::Tip { .. } => vec![("Pull", mm(bench.pull_mm()))],
+            Dragged::Tip { map, .. } => {
+                let pull = ("Pull", mm(bench.pull_mm()));
+                let why = self.followed.and_then(|(at, _)| held_back(bench, map, at));
+                std::iter::once(pull).chain(why).collect()
+            }
             Dragged::Gravity => match gravity::of(bench) {
                 Some(gravity) => vec![("Gravity towards", gravity::direction(gravity))],
                 None => Vec::new(),
@@ -291,6 +299,29 @@ impl Drag {
             }
         }
     }
+}
+
+/// Why a tip does not follow a hand that is far from it, at a point in metres.
+fn held_back(bench: &Workbench, map: &TipMap, at: Vector) -> Option<(&'static str, Quantity)> {
+    let TipMap::Path(path) = map else {
+        return None;
+    };
+    let live = &bench.live;
+    let tip = live.solution()?.nodes.last()?.position;
+    if live.is_waiting() || (at - tip).norm() < BEHIND * live.problem().length() {
+        return None;
+    }
+    let words = match &path.end {
+        Some(end) if metres(bench.pull_mm()) >= end.pull - ENDS * path.length => {
+            end.status.reason()
+        }
+        _ => "the tip gets no nearer".to_owned(),
+    };
+    let words = Quantity {
+        digits: words,
+        unit: "",
+    };
+    Some(("·", words))
 }
 
 fn set(bench: &mut Workbench, index: usize, shape: Shape) {
