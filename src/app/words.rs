@@ -31,7 +31,7 @@ pub fn obstacle_of(scene: &Scene, index: usize) -> String {
 /// nodes that it is between, and the cable where there are several.
 pub fn stretch(problem: &Problem, cables: usize, cable: usize, stretch: usize) -> String {
     let place = match problem.model() {
-        Model::Sliding => format!("disk {stretch} to {}", stretch + 1),
+        Model::Sliding => format!("D{stretch} to D{}", stretch + 1),
         Model::Equal => format!("node {stretch} to {}", stretch + 1),
     };
     match cables {

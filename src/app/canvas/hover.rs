@@ -11,7 +11,7 @@ use crate::contact::Contact;
 use crate::equilibrium::Solved;
 use crate::forces::Sections;
 use crate::mechanics::Problem;
-use crate::robot::part_name;
+use crate::robot::{disk_name, part_name};
 use crate::units::{METRES_PER_MM, degrees, grams, millimetres, per_millimetre};
 use crate::view::{Frame, Quantity, Theme};
 use eframe::egui::{Color32, Painter, Rect, Shape, Stroke};
@@ -113,7 +113,7 @@ fn node_chip(solution: &Solved, index: usize) -> Chip {
     if index + 1 == solution.nodes.len() {
         title.push_str(" · tip");
     } else if robot.has_disk(index) {
-        title.push_str(&format!(" · disk {}", index / robot.segments_per_bay + 1));
+        title.push_str(&format!(" · {}", disk_name(robot, index)));
     }
     let mm = |value| Quantity::fixed(millimetres(value), 2, "mm");
     let mut rows = vec![row("x", mm(node.position.x)), row("y", mm(node.position.y))];
@@ -165,15 +165,16 @@ fn contact_chip(bench: &Workbench, problem: &Problem, contact: &Contact) -> Chip
     let force = force.map(|force| row("Force", force));
     Chip {
         title: Some(words::capital(&part)),
-        rows: [
-            row(
-                &words::capital(contact.class.word()),
-                text(format!("on {name}")),
-            ),
-            row("Multiplier λ", Quantity::significant(multiplier, "rad²/mm")),
-        ]
+        rows: [row(
+            &words::capital(contact.class.word()),
+            text(format!("on {name}")),
+        )]
         .into_iter()
         .chain(force)
+        .chain([row(
+            "Multiplier λ",
+            Quantity::significant(multiplier, "rad²/mm"),
+        )])
         .collect(),
     }
 }

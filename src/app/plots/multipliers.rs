@@ -11,7 +11,7 @@ use crate::app::look::{Tokens, theme_of};
 use crate::app::words;
 use crate::app::workbench::{Hovered, nodes_of_stretch};
 use crate::contact::Class;
-use crate::robot::part_name;
+use crate::robot::{disk_name, part_name};
 use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::{Axis, Chart, CurveStyle, Quantity, Series, Theme, superscript};
 use eframe::egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
@@ -55,9 +55,19 @@ pub(super) fn show(
 ) -> Option<Asked> {
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
     let shape = &cache.shape;
-    let (factor, unit) = scale(shape.greatest);
+    // In the paper's units where grams are not known.
+    let (factor, unit) = match data.stiffness() {
+        Some(stiffness) => (
+            grams(stiffness.per_bend(data.problem())) / per_millimetre(1.0),
+            "g".to_owned(),
+        ),
+        None => scale(shape.greatest),
+    };
     let multiplier = Quantities {
-        name: "Multiplier λ",
+        name: match data.stiffness() {
+            Some(_) => "Contact force F",
+            None => "Multiplier λ",
+        },
         unit: &unit,
     };
     let reading = reading(data, link, &tokens);
@@ -148,12 +158,7 @@ fn reading(data: &PlotData<'_>, link: &Link, tokens: &Tokens) -> Text {
         }
         Hovered::Node(node) if node <= robot.segments => {
             let text = Text::of(&format!("node {node}"), tokens.muted);
-            if robot.has_disk(node) {
-                let disk = node / robot.segments_per_bay + 1;
-                text.and(&format!(", disk {disk}"), tokens.muted)
-            } else {
-                text
-            }
+            text.and(&format!(", {}", disk_name(robot, node)), tokens.muted)
         }
         _ => Text::default(),
     }
@@ -227,7 +232,7 @@ fn draw(
         return;
     }
     let ink = heat(theme, stem.share);
-    // The bright end of the scale would not stand out by day.
+    // The weak end of the scale would not stand out by day.
     let edge = match theme {
         Theme::Light => heat(theme, 1.0),
         Theme::Dark => ink,
