@@ -302,6 +302,57 @@ fn what_was_asked_and_what_was_reached_are_both_told() {
 }
 
 #[test]
+fn keys_go_from_mark_to_mark() {
+    let mut window = on(TWO_POSTS);
+    let path = std::sync::Arc::clone(window.bench().live.path().unwrap());
+    let marks: Vec<f64> = path
+        .events
+        .iter()
+        .map(|event| millimetres(event.pull))
+        .collect();
+    let after = |pull: f64| {
+        marks
+            .iter()
+            .copied()
+            .filter(|mark| *mark > pull + 1e-3)
+            .reduce(f64::min)
+    };
+    let [first, second] = {
+        let first = after(5.55).unwrap();
+        [first, after(first).unwrap()]
+    };
+    window.key(Key::Period);
+    assert_eq!(window.scene().pull_mm(), first);
+    assert!(window.bench().live.is_settled());
+    window.key(Key::Period);
+    assert_eq!(window.scene().pull_mm(), second);
+    window.key(Key::Comma);
+    assert_eq!(window.scene().pull_mm(), first);
+    window.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(window.scene().pull_mm(), second);
+}
+
+#[test]
+fn all_plots_are_shown_at_once_with_room_for_each_and_grouped_again() {
+    let mut window = on(TWO_POSTS);
+    assert!(!told(&window, "Bends and shears by segment"));
+    window.key(Key::A);
+    for name in [
+        "Multipliers by node",
+        "Energy over the pull",
+        "Force against load",
+        "Bends and shears by segment",
+        "Tension along the cables",
+        "Load against pull",
+    ] {
+        let plot = window.harness.get_by_label(name);
+        assert!(plot.rect().height() >= 70.0, "{name}: {}", plot.rect());
+    }
+    window.key(Key::A);
+    assert!(!told(&window, "Bends and shears by segment"));
+}
+
+#[test]
 fn gravity_is_switched_on_and_turned_by_hand() {
     let mut scene = Scene::from_toml(TWO_POSTS).unwrap();
     scene.obstacles.clear();

@@ -7,8 +7,20 @@ use crate::explore::Path;
 use crate::mechanics::Problem;
 use crate::scene::{Drive, Scene};
 use crate::solving::{Task, TaskId};
-use crate::units::metres;
+use crate::units::{metres, millimetres};
 use std::sync::Arc;
+
+/// A mark that is so near in pull, in mm, is where the robot is.
+const SAME_MM: f64 = 1e-3;
+
+/// A way along a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// Towards greater pulls.
+    Up,
+    /// Towards smaller ones.
+    Down,
+}
 
 /// The path along the cable that is set.
 #[derive(Default)]
@@ -99,6 +111,23 @@ impl Workbench {
                 let path = Arc::clone(self.along.path()?);
                 Some((path, self.along.is_current()))
             }
+        }
+    }
+
+    /// Brings the cable that is set to the next mark of its path, if there is one.
+    pub fn go_to_mark(&mut self, way: Way) {
+        let Some((path, _)) = self.path_along() else {
+            return;
+        };
+        let now = self.pull_mm_of(self.cable());
+        let marks = path.events.iter().map(|event| millimetres(event.pull));
+        let next = match way {
+            Way::Up => marks.filter(|mark| *mark > now + SAME_MM).reduce(f64::min),
+            Way::Down => marks.filter(|mark| *mark < now - SAME_MM).reduce(f64::max),
+        };
+        if let Some(mark) = next {
+            self.transport.stop();
+            self.go_along(mark);
         }
     }
 

@@ -31,7 +31,7 @@ mod transport;
 mod trouble;
 mod unsaved;
 
-pub use along::Along;
+pub use along::{Along, Way};
 pub use document::Document;
 pub use files::{Arrival, Asked, Files, Intent, Saved};
 pub use held_scale::HeldScale;
