@@ -12,7 +12,7 @@ use crate::units::{RAD2_PER_MM, grams, per_millimetre};
 const ARROW: f64 = 0.22;
 /// The end of the finest scale, over EI/L²: a tenth of a gram on a robot of 180 mm
 /// with an EI of 8000 N mm². What is far less is next to nothing.
-const FINEST: f64 = 0.004;
+const FINEST: f64 = 0.0039;
 
 /// What multipliers are written as.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +50,8 @@ impl ForceScale {
     pub fn above(problem: &Problem, stiffness: Option<Stiffness>, most: f64) -> Self {
         let scale = Self::ending(problem, stiffness, 1.0);
         // EI/L² as a multiplier is free of EI.
-        let finest = FINEST * 2.0 * problem.robot().segment_length() / problem.length().powi(2);
+        let length = problem.length();
+        let finest = FINEST * 2.0 * problem.robot().segment_length() / (length * length);
         let most = scale.per_multiplier() * most.max(finest);
         let below = one_two_five(most);
         let end = if below >= most * (1.0 - 1e-9) {

@@ -20,8 +20,6 @@ const MARKS: u32 = 8;
 const STEPS_DEG: [f64; 2] = [1.0, 15.0];
 /// What components are rounded to, in m/s².
 const GRAIN: f64 = 1e-5;
-/// The earth's, downward.
-pub const EARTHS: [f64; 2] = [0.0, -9.80665];
 
 /// Whether a turn is to the degree or to where a ruler would have a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

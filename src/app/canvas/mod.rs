@@ -24,7 +24,6 @@ mod tip_force;
 mod tools;
 mod view;
 
-pub use gravity::EARTHS;
 pub use keys::hold_space;
 pub use view::Canvas;
 

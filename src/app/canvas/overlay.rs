@@ -137,10 +137,20 @@ pub fn legend(painter: &Painter, drawing: &Drawing, frame: &Frame, rect: Rect, t
     let zero = text(bar.left_center() - vec2(8.0, 0.0), "0", tokens.muted);
     let key = scale.key(KEY / frame.scale);
     let value = pos2(zero.left() - 20.0, corner.y);
-    let value = text(value, &key.value.text(), tokens.text);
-    let tip = Vector::new(f64::from(value.left()) - 8.0, f64::from(corner.y));
+    let words = key.value.text();
+    let galley = painter.layout_no_wrap(words.clone(), small.clone(), tokens.text);
+    let tip = Vector::new(
+        f64::from(value.x - galley.size().x) - 8.0,
+        f64::from(corner.y),
+    );
     let tail = tip - Vector::new(key.length * frame.scale, 0.0);
+    // Not over the scale bar.
+    let taken = f64::from(rect.left() + 2.0 * EDGE) + BAR;
+    if tail.x < taken {
+        return;
+    }
     let style = theme.style(Role::Force(key.share), &drawing.standing);
+    text(value, &words, tokens.text);
     arrow(painter, [tail, tip], &style);
     if roomy {
         let what = pos2(tail.x as f32 - 12.0, corner.y);

@@ -50,7 +50,7 @@ impl Plot {
             Plot::Energy => "Energy",
             Plot::Bends => "Bends",
             Plot::Tension => "Tension",
-            Plot::Load => "Load",
+            Plot::Load => "Load over pull",
         }
     }
 

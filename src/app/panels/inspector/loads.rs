@@ -1,10 +1,9 @@
 //! What acts on a robot beside its cables and obstacles: a force on its tip, a moment,
 //! gravity with the masses that it acts on.
 
-use crate::app::canvas::EARTHS;
 use crate::app::widgets::{Form, Kind, Number};
-use crate::scene::Scene;
 use crate::scene::limits::{GRAVITY, Limits, MASS, TIP_FORCE, TIP_MOMENT};
+use crate::scene::{Loads, Scene};
 use eframe::egui::Ui;
 
 fn plain(path: impl Into<String>, name: &str, limits: Limits) -> Number<'_> {
@@ -28,7 +27,10 @@ pub(super) fn show(ui: &mut Ui, form: &mut Form<'_>, scene: &mut Scene) {
     let switch = ui.checkbox(&mut falls, "Gravity");
     let tip = "An arrow on the canvas, which can be turned, shows where to";
     if switch.on_hover_text(tip).changed() {
-        loads.gravity_m_s2 = if falls { EARTHS } else { [0.0; 2] };
+        loads.gravity_m_s2 = match falls {
+            true => Loads::EARTHS_GRAVITY_M_S2,
+            false => [0.0; 2],
+        };
     }
     if falls {
         for (axis, name) in ["Gravity x", "Gravity y"].into_iter().enumerate() {
