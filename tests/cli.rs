@@ -1049,7 +1049,7 @@ fn forces_come_as_text_json_and_csv() {
     let measured = ["force", &scene, "--measured", "250:17.8", "--rod", "2.2:3"];
     let with = |format| [&measured[..], &["--format", format]].concat();
     let text = check(&measured, 0).out;
-    for part in ["17.80", "mu", "caution", "disk 8, cable side, on load cell"] {
+    for part in ["17.80", "mu", "caution", "D7, cable side, on load cell"] {
         assert!(text.contains(part), "{part} in {text}");
     }
     let found = json(&with("json"), 0);

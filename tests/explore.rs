@@ -282,6 +282,41 @@ fn the_tip_is_dragged_along_the_piece_it_is_on() {
     assert!((pulled.unwrap() - after.pull).abs() < 1e-9);
 }
 
+/// At a contact the tip's path turns back for a few millimetres before it goes on.
+#[test]
+fn a_dragged_tip_goes_past_where_its_path_turns_back() {
+    let posts = problem(include_str!("../assets/scenes/two-posts.toml"));
+    let path = PathRun::over(&posts, 0.0, 0.025, 201).finish();
+    let tip_at = |pull: f64| path.at(pull).unwrap().tip.position;
+    let first = 0.00555;
+    // Straight towards where the tip is at a greater pull.
+    for last in [0.008, 0.010, 0.012] {
+        let (from, to) = (tip_at(first), tip_at(last));
+        let mut pull = first;
+        let mut pulls = vec![pull];
+        for step in 1..=60 {
+            let at = from + f64::from(step) / 60.0 * (to - from);
+            pull = path.nearest_to_tip_from(at, pull).unwrap();
+            pulls.push(pull);
+        }
+        // Where two places are as near, either will do.
+        let off = (tip_at(pull) - to).norm();
+        assert!(off < 0.01 * path.length, "{last}: {pulls:?}");
+        assert!((pull - last).abs() < 1e-3, "{last}: {pulls:?}");
+        // A hand that trembles does not make it hop to and fro.
+        for at in pulls.iter().step_by(7) {
+            let place = tip_at(*at);
+            let mut pull = *at;
+            for tremble in [2e-4, -2e-4, 2e-4, -2e-4] {
+                let at = place + Vector::new(tremble, tremble);
+                let next = path.nearest_to_tip_from(at, pull).unwrap();
+                assert!((next - pull).abs() < 1e-3, "{pull} {next}");
+                pull = next;
+            }
+        }
+    }
+}
+
 #[test]
 fn the_load_curve_goes_through_the_loaded_states() {
     let problem = problem(LOAD_CELL);

@@ -5,7 +5,7 @@ mod window_harness;
 
 use eframe::egui::{Key, Modifiers, Theme};
 use egui_kittest::kittest::{NodeT, Queryable};
-use sinew::app::{Selection, Workbench};
+use sinew::app::{Hovered, Selection, Workbench};
 use sinew::equilibrium::{Settings, Start, solve};
 use sinew::mechanics::{Model, Problem};
 use sinew::scene::{Cable, Drive, Mechanics, Scene};
@@ -259,7 +259,7 @@ fn the_inspector_tells_what_each_cable_does() {
         "Cable 1",
         "Tension 100.0 g",
         "Tip force x",
-        "Gravity y",
+        "Gravity",
     ] {
         assert!(told(&window, words), "{words}");
     }
@@ -277,6 +277,127 @@ fn the_inspector_tells_what_each_cable_does() {
         *scene = Scene::from_toml(TWO_DISCS).unwrap()
     });
     assert!(!told(&window, "Tip force x") && !told(&window, "Hold the load"));
+}
+
+#[test]
+fn what_was_asked_and_what_was_reached_are_both_told() {
+    let text = include_str!("../assets/scenes/one-disc.toml");
+    let scene = Scene::from_toml(text).unwrap();
+    let mut window = Window::sized([1280.0, 1200.0], Theme::Light, Some(scene));
+    assert!(window.bench().reached(0).is_none());
+    assert!(!told(&window, "reached"));
+    edit(&mut window, |scene| scene.set_pull_mm(25.0));
+    let reached = window.bench().reached(0).unwrap();
+    let solution = window.bench().live.solution().unwrap();
+    assert_eq!(reached, millimetres(solution.pull));
+    assert!((14.0..24.9).contains(&reached), "{reached}");
+    assert!(told(
+        &window,
+        &format!("Asked 25.00 mm, reached {reached:.2} mm")
+    ));
+    // In the panel, too.
+    assert!(told(&window, "Asked 25.00 mm"));
+    edit(&mut window, |scene| scene.set_pull_mm(3.0));
+    assert!(window.bench().reached(0).is_none());
+}
+
+#[test]
+fn keys_go_from_mark_to_mark() {
+    let mut window = on(TWO_POSTS);
+    let path = std::sync::Arc::clone(window.bench().live.path().unwrap());
+    let marks: Vec<f64> = path
+        .events
+        .iter()
+        .map(|event| millimetres(event.pull))
+        .collect();
+    let after = |pull: f64| {
+        marks
+            .iter()
+            .copied()
+            .filter(|mark| *mark > pull + 1e-3)
+            .reduce(f64::min)
+    };
+    let [first, second] = {
+        let first = after(5.55).unwrap();
+        [first, after(first).unwrap()]
+    };
+    window.key(Key::Period);
+    assert_eq!(window.scene().pull_mm(), first);
+    assert!(window.bench().live.is_settled());
+    window.key(Key::Period);
+    assert_eq!(window.scene().pull_mm(), second);
+    window.key(Key::Comma);
+    assert_eq!(window.scene().pull_mm(), first);
+    window.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(window.scene().pull_mm(), second);
+}
+
+#[test]
+fn all_plots_are_shown_at_once_with_room_for_each_and_grouped_again() {
+    let mut window = on(TWO_POSTS);
+    assert!(!told(&window, "Bends and shears by segment"));
+    window.key(Key::A);
+    for name in [
+        "Multipliers by node",
+        "Energy over the pull",
+        "Force against load",
+        "Bends and shears by segment",
+        "Tension along the cables",
+        "Load against pull",
+    ] {
+        let plot = window.harness.get_by_label(name);
+        assert!(plot.rect().height() >= 70.0, "{name}: {}", plot.rect());
+    }
+    window.key(Key::A);
+    assert!(!told(&window, "Bends and shears by segment"));
+}
+
+#[test]
+fn gravity_is_switched_on_and_turned_by_hand() {
+    let mut scene = Scene::from_toml(TWO_POSTS).unwrap();
+    scene.obstacles.clear();
+    scene.robot.disk_mass_g = 5.0;
+    let mut window = Window::sized([1280.0, 2000.0], Theme::Light, Some(scene));
+    window.harness.state_mut().bench_mut().selection = Selection::Robot;
+    window.harness.run();
+    let still = window.tip();
+    click(&mut window, "Gravity");
+    assert_eq!(window.scene().loads.gravity_m_s2, [0.0, -9.80665]);
+    assert!(window.bench().live.is_settled());
+    let hung = window.tip();
+    assert!((hung - still).length() > 2.0, "{still} {hung}");
+    // The dial is in the canvas's upper right corner, its arrow downward.
+    let corner = window.harness.get_by_label("Robot and obstacles").rect();
+    let middle = corner.right_top() + eframe::egui::vec2(-46.0, 46.0);
+    let way = |x: f32, y: f32| middle + eframe::egui::vec2(x, y);
+    let before = window.scene().clone();
+    window.drag(&[way(0.0, 20.0), way(14.0, 14.0), way(40.0, 0.0)]);
+    assert_eq!(window.scene().loads.gravity_m_s2, [9.80665, 0.0]);
+    assert!(window.bench().live.is_settled());
+    assert!(window.tip().x > hung.x + 5.0);
+    window.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(*window.scene(), before);
+    // The robot's own corner is not the dial's, once there is no gravity.
+    click(&mut window, "Gravity");
+    assert_eq!(window.scene().loads.gravity_m_s2, [0.0; 2]);
+    window.drag(&[way(0.0, 20.0), way(40.0, 0.0)]);
+    assert_eq!(window.scene().loads.gravity_m_s2, [0.0; 2]);
+}
+
+#[test]
+fn a_stretch_of_a_cable_is_lit_on_the_canvas_and_in_the_plots() {
+    let mut window = on(TWO_POSTS);
+    let holes = window.bench().live.solution().unwrap().holes(0);
+    let middle = 500.0 * (holes[2] + holes[3]);
+    let at = window.at(middle.x, middle.y);
+    window.point(at);
+    let expected = Hovered::Stretch {
+        cable: 0,
+        stretch: 2,
+    };
+    assert_eq!(window.bench().hovered, expected);
+    window.point(at - eframe::egui::vec2(60.0, 0.0));
+    assert_ne!(window.bench().hovered, expected);
 }
 
 #[test]

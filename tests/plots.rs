@@ -4,6 +4,7 @@ use eframe::egui::{self, Modifiers, PointerButton, Pos2, Rect, Theme, pos2, vec2
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use sinew::app::plots::{self, Link, Plot, PlotAction, PlotCache, PlotData};
+use sinew::app::workbench::{Loaded, Step};
 use sinew::app::{Hovered, look};
 use sinew::contact::Class;
 use sinew::equilibrium::{Settings, Solved, Start, solve};
@@ -11,10 +12,13 @@ use sinew::explore::{Path, PathRun};
 use sinew::forces::Window;
 use sinew::mechanics::Problem;
 use sinew::record::path::rows;
-use sinew::scene::{ForceReading, Measurements, Scene, Shape};
+use sinew::scene::{Cable, Drive, ForceReading, Measurements, Scene, Shape};
+use sinew::units::grams;
+use sinew::view::{ForceScale, Notes, draw};
 
 const FREE: &str = include_str!("../assets/scenes/free.toml");
 const TWO_DISCS: &str = include_str!("../assets/scenes/two-discs.toml");
+const TWO_POSTS: &str = include_str!("../assets/scenes/two-posts.toml");
 const LOAD_CELL: &str = include_str!("../assets/scenes/load-cell.toml");
 const BODY: &str = include_str!("../assets/scenes/body-contact.toml");
 
@@ -24,6 +28,7 @@ struct Bench {
     problem: Problem,
     solution: Solved,
     path: Option<Path>,
+    walked: Vec<Step>,
     link: Link,
     cache: PlotCache,
     shown: Vec<Plot>,
@@ -37,6 +42,7 @@ impl Bench {
         let problem = Problem::new(&scene).unwrap();
         let solution = solve(&problem, Start::Straight, Settings::default());
         let path = PathRun::over(&problem, 0.0, last, 201).finish();
+        let walked = walked(&solution);
         let window = Window {
             first: 0.0,
             last: 0.5 * last,
@@ -53,6 +59,7 @@ impl Bench {
             problem,
             solution,
             path: Some(path),
+            walked,
             cache: PlotCache::default(),
             shown: shown.to_vec(),
             actions: Vec::new(),
@@ -67,10 +74,17 @@ impl Bench {
             asked: &self.problem,
             solved: &self.solution,
             path: self.path.as_ref(),
+            walked: &self.walked,
+            cable: 0,
+            scale: self.scale(),
             window: self.link.window,
             shape_generation: 1,
             path_generation: 1,
         }
+    }
+
+    fn scale(&self) -> ForceScale {
+        draw(&self.solution, &Notes::of(&self.scene)).scale
     }
 
     /// The same without what a hand has done.
@@ -80,6 +94,7 @@ impl Bench {
             problem: self.problem.clone(),
             solution: self.solution.clone(),
             path: self.path.clone(),
+            walked: self.walked.clone(),
             cache: PlotCache::default(),
             shown: self.shown.clone(),
             actions: Vec::new(),
@@ -114,6 +129,22 @@ impl Bench {
         self.pulls.extend(self.link.pull.take());
         self.calibrated = self.link.calibrate.take().or(self.calibrated);
     }
+}
+
+/// There and back around a shape, with a cable that lags.
+fn walked(solution: &Solved) -> Vec<Step> {
+    let at = |i: i32, lag: f64| {
+        let cables = solution.cables.iter().map(|cable| Loaded {
+            pull: cable.pull * (1.0 - 0.02 * f64::from(i)),
+            tension: cable.tension * (1.0 - 0.02 * f64::from(i)) * lag,
+        });
+        Step {
+            cables: cables.collect(),
+            is_leap: false,
+        }
+    };
+    let there = (0..20).map(|i| at(i, 1.0));
+    there.chain((0..20).rev().map(|i| at(i, 1.2))).collect()
 }
 
 fn harness_of(bench: Bench, size: [f32; 2], theme: Theme) -> Harness<'static, Bench> {
@@ -283,6 +314,93 @@ fn a_stem_under_the_pointer_is_the_contact_everywhere() {
     harness.remove_cursor();
     harness.run();
     assert_eq!(harness.state().link.hovered, Hovered::Nothing);
+}
+
+/// Two posts and a second cable on the other side, to disk 5, which hangs a load.
+fn two_cables() -> Scene {
+    let mut scene = scene(TWO_POSTS);
+    let first = scene.cable(0);
+    scene.robot.cable_offset_mm = None;
+    scene.robot.cable_diameter_mm = 0.0;
+    scene.actuation = None;
+    let second = Cable {
+        offset_mm: -8.0,
+        drive: Drive::LoadG(150.0),
+        to_disk: Some(5),
+        ..first
+    };
+    scene.cables = vec![first, second];
+    scene
+}
+
+#[test]
+fn a_stretch_under_the_pointer_is_lit_in_all_plots() {
+    let shown = [Plot::Tension, Plot::Bends];
+    let bench = Bench::new(two_cables(), 0.008, &shown);
+    let tensions: Vec<f64> = bench.solution.cables.iter().map(|c| c.tension).collect();
+    assert!(tensions[0] > 1.2 * tensions[1], "{tensions:?}");
+    let mut harness = harness_of(bench, [560.0, 600.0], Theme::Light);
+    let plot = frame(&harness, "Tension along the cables");
+    let disk = |disk: f64| across(plot, disk, (0.0, 9.0), 0.025);
+    // The second cable ends at disk 5, under the first one's line.
+    for (x, y, cable, stretch) in [
+        (2.5, plot.top() + 2.0, 0, 2),
+        (2.5, plot.bottom() - 30.0, 1, 2),
+        (7.5, plot.top() + 2.0, 0, 7),
+        (7.5, plot.bottom() - 30.0, 0, 7),
+    ] {
+        harness.remove_cursor();
+        harness.run();
+        harness.hover_at(pos2(disk(x), y));
+        harness.run();
+        let expected = Hovered::Stretch { cable, stretch };
+        assert_eq!(harness.state().link.hovered, expected, "{x} {y}");
+    }
+}
+
+#[test]
+fn tensions_are_told_stretch_by_stretch() {
+    let bench = Bench::new(two_cables(), 0.008, &[]);
+    let table = plots::csv(Plot::Tension, &bench.data());
+    let cables = numbers(&table, "cable");
+    let expected: Vec<f64> = [vec![1.0; 9], vec![2.0; 5]].concat();
+    assert_eq!(cables, expected);
+    let newtons = bench.data().stiffness().unwrap().per_bend(&bench.problem);
+    for (cable, tension) in cables.iter().zip(numbers(&table, "tension_g")) {
+        let state = bench.solution.cables[*cable as usize - 1];
+        let expected = grams(newtons * state.tension);
+        assert!((tension - expected).abs() <= 1e-9 * expected, "{tension}");
+    }
+    // Along the path of the first cable, too.
+    let table = plots::csv(Plot::Energy, &bench.data());
+    let states = &bench.path.as_ref().unwrap().states;
+    let loads = column(&table, "cable_2_load_g");
+    let loads: Vec<f64> = loads.iter().filter_map(|load| load.parse().ok()).collect();
+    assert_eq!(loads.len(), states.len());
+    assert!(loads.iter().all(|load| (load - 150.0).abs() < 1e-6));
+    let pulls = column(&table, "cable_2_pull_mm");
+    let pulls: Vec<f64> = pulls.iter().filter_map(|pull| pull.parse().ok()).collect();
+    assert!(pulls[0] > pulls[pulls.len() - 1] + 1.0, "{pulls:?}");
+    let table = plots::csv(Plot::Load, &bench.data());
+    assert_eq!(numbers(&table, "cable")[..4], [1.0, 2.0, 1.0, 2.0]);
+    let loads = numbers(&table, "load_g");
+    let first = grams(newtons * bench.walked[0].cables[1].tension);
+    assert!((loads[1] - first).abs() < 1e-9 * first);
+    assert_eq!(loads.len(), 80);
+    // In the paper's model every link has its own, and their mean is the cable's.
+    let mut scene = scene(TWO_DISCS);
+    scene.robot.bending_stiffness_nmm2 = None;
+    let bench = Bench::new(scene, 0.008, &[]);
+    let table = plots::csv(Plot::Tension, &bench.data());
+    let links = numbers(&table, "tension_rad2_per_mm");
+    assert_eq!(numbers(&table, "to_disk")[..3], [0.5, 1.0, 1.5]);
+    let mean = links.iter().sum::<f64>() / links.len() as f64;
+    let expected = 1e-3 * bench.solution.energy_slope();
+    assert!(
+        (mean - expected).abs() < 1e-9 * expected,
+        "{mean} {expected}"
+    );
+    assert!(links.iter().any(|link| (link - mean).abs() > 1e-4 * mean));
 }
 
 #[test]

@@ -108,8 +108,9 @@ fn snapshot(drawing: &Drawing) -> String {
         Standing::Certified => writeln!(out, "certified").unwrap(),
         Standing::Greyed { what, reason } => writeln!(out, "greyed {what}: {reason}").unwrap(),
     }
-    if let Some(most) = &drawing.most {
-        writeln!(out, "most {} {}", most.what, most.value.text()).unwrap();
+    if drawing.presses {
+        let (what, end) = (drawing.scale.what(), drawing.scale.end_written());
+        writeln!(out, "scale of {what} to {}", end.text()).unwrap();
     }
     for mark in &drawing.marks {
         let role = format!("{:?}", mark.role);
@@ -255,7 +256,10 @@ fn a_mirrored_scene_has_a_mirrored_drawing() {
             there.bounds.most
         ));
         assert_eq!((here.grid, here.scale_bar), (there.grid, there.scale_bar));
-        assert_eq!((&here.most, &here.standing), (&there.most, &there.standing));
+        assert_eq!(
+            (&here.scale, &here.standing),
+            (&there.scale, &there.standing)
+        );
         let (here, there) = (points(&here), points(&there));
         assert_eq!(here.len(), there.len());
         let mut free: Vec<_> = there.iter().collect();
@@ -466,18 +470,22 @@ fn a_grazing_contact_has_a_ring_and_no_number() {
     assert_eq!(picture.matches("class=\"force\"").count(), 1);
     let multiplier = solution.contacts[1].multiplier;
     let grams = sinew::units::grams(notes.stiffness.unwrap().per_bend(&problem) * multiplier);
-    let most = drawing.most.unwrap();
-    assert_eq!(most.what, "contact force");
-    assert_eq!(most.value, Quantity::significant(grams, "g"));
+    let scale = drawing.scale;
+    assert_eq!(scale.what(), "contact force");
+    assert!(
+        scale.end() >= grams && scale.end() <= 2.5 * grams.max(0.1),
+        "{scale:?}"
+    );
+    assert_eq!(scale.written(multiplier), Quantity::significant(grams, "g"));
 
     let unknown = Notes {
         stiffness: None,
         ..notes
     };
-    let most = draw(&solution, &unknown).most.unwrap();
-    assert_eq!(most.what, "contact multiplier");
+    let scale = draw(&solution, &unknown).scale;
+    assert_eq!(scale.what(), "contact multiplier");
     let expected = Quantity::significant(multiplier * 1e-3, "rad²/mm");
-    assert_eq!(most.value, expected);
+    assert_eq!(scale.written(multiplier), expected);
 }
 
 #[cfg(feature = "cli")]

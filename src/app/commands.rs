@@ -46,6 +46,10 @@ pub enum Command {
     Play,
     /// Follows the scene anew from the straight robot.
     FromStraight,
+    /// Goes to the next mark of the path.
+    NextMark,
+    /// Goes to the mark before.
+    PreviousMark,
     /// Changes from setting the pull to setting the load, or back.
     Load,
     /// Changes from the sliding cable to the paper's model, or back.
@@ -205,6 +209,8 @@ pub const ALL: &[Entry] = &[
     entry(Command::Tool(Tool::Wall), Group::Tools, "Add a wall", Tool::Wall.icon(), key(Key::W)),
     entry(Command::Play, Group::Robot, "Play or pause", icons::PLAY, key(Key::Space)),
     entry(Command::FromStraight, Group::Robot, "Start from straight", icons::CLOCK_COUNTER_CLOCKWISE, key(Key::R)),
+    entry(Command::NextMark, Group::Robot, "Go to the next mark", icons::CARET_RIGHT, key(Key::Period)),
+    entry(Command::PreviousMark, Group::Robot, "Go to the mark before", icons::CARET_LEFT, key(Key::Comma)),
     entry(Command::Load, Group::Robot, "Set the load or the pull", icons::GAUGE, key(Key::L)),
     entry(Command::Mechanics, Group::Robot, "Switch between sliding cable and paper’s model", icons::REPEAT, key(Key::M)),
     entry(Command::Compare, Group::View, "Draw both models", icons::COPY, key(Key::O)),
@@ -215,7 +221,7 @@ pub const ALL: &[Entry] = &[
     entry(Command::Outline, Group::View, "Show or hide the outline", icons::LIST, ctrl(Key::B)),
     entry(Command::Dock, Group::View, "Show or hide the plots", icons::CHART_LINE, ctrl(Key::J)),
     entry(Command::GroupPlots, Group::View, "Group the plots in tabs", icons::SIDEBAR, None),
-    entry(Command::SpreadPlots, Group::View, "Show all plots at once", icons::CHART_BAR, key(Key::A)),
+    entry(Command::SpreadPlots, Group::View, "Show all plots at once, or group them", icons::CHART_BAR, key(Key::A)),
     entry(Command::Field, Group::View, "Show or hide the clearance field", icons::WAVES, key(Key::C)),
     entry(Command::Grid, Group::View, "Show or hide the grid", icons::GRID_FOUR, key(Key::G)),
     entry(Command::Trace, Group::View, "Show or hide the tip's trace", icons::PATH, key(Key::T)),

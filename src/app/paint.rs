@@ -63,8 +63,11 @@ fn paint_mark(painter: &Painter, mark: &Mark, frame: &Frame, theme: Theme, stand
         }
         Geometry::Dot(point) => paint_dot(painter, to_screen(frame, *point), &style),
         Geometry::Arrow { tail, tip } => {
-            let [tail, tip] = [tail, tip].map(|point| frame.to_screen(*point).into());
-            paint_arrow(painter, &Arrowhead::STANDARD.outline(tail, tip), &style);
+            arrow(
+                painter,
+                [tail, tip].map(|point| frame.to_screen(*point)),
+                &style,
+            );
         }
     }
 }
@@ -136,6 +139,12 @@ fn paint_dot(painter: &Painter, at: Pos2, style: &Style) {
         let stroke = stroke_of(style, style.width);
         painter.circle(at, style.radius as f32, fill, stroke);
     }
+}
+
+/// An arrow between two places on the screen, in points.
+pub fn arrow(painter: &Painter, [tail, tip]: [Vector; 2], style: &Style) {
+    let outline = Arrowhead::STANDARD.outline(tail.into(), tip.into());
+    paint_arrow(painter, &outline, style);
 }
 
 fn paint_arrow(painter: &Painter, outline: &[[f64; 2]], style: &Style) {

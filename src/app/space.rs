@@ -89,9 +89,16 @@ fn solids(space: &mut Space, bench: &Workbench, theme: Theme) -> Arc<Mesh> {
     {
         return Arc::clone(&built.mesh);
     }
-    let standing = &bench.live.drawing().standing;
+    let drawing = bench.live.drawing();
+    let (standing, scale) = (&drawing.standing, drawing.scale);
     let obstacles = bench.live.problem().obstacles();
-    let mesh = Arc::new(mesh(&bench.live.solved(), obstacles, theme, standing));
+    let mesh = Arc::new(mesh(
+        &bench.live.solved(),
+        obstacles,
+        scale,
+        theme,
+        standing,
+    ));
     space.built = Some(Built {
         revision,
         theme,

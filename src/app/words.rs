@@ -3,6 +3,7 @@
 
 use crate::app::look::icons;
 use crate::equilibrium::{Caution, Conflict, Event, Occurrence, Solution, Status};
+use crate::mechanics::{Model, Problem};
 use crate::robot::Line;
 use crate::scene::{Obstacle, Scene, SceneError, Shape};
 use crate::units::{grams, millimetres};
@@ -23,6 +24,19 @@ pub fn obstacle_of(scene: &Scene, index: usize) -> String {
     match scene.obstacles.get(index) {
         Some(found) => obstacle(index, found),
         None => format!("obstacle {}", index + 1),
+    }
+}
+
+/// A stretch of a cable: the disks, from 0 at the base, or, in the paper's model, the
+/// nodes that it is between, and the cable where there are several.
+pub fn stretch(problem: &Problem, cables: usize, cable: usize, stretch: usize) -> String {
+    let place = match problem.model() {
+        Model::Sliding => format!("D{stretch} to D{}", stretch + 1),
+        Model::Equal => format!("node {stretch} to {}", stretch + 1),
+    };
+    match cables {
+        0 | 1 => place,
+        _ => format!("cable {}, {place}", cable + 1),
     }
 }
 

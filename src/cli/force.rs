@@ -280,7 +280,7 @@ fn stiffness(what: &Force, scene: &Scene, problem: &Problem) -> Result<Known, Ba
     Ok(Ok(Some((made.map_err(wrong)?, from))))
 }
 
-/// A contact in words: `disk 6, cable side, on lower`.
+/// A contact in words: `D5, cable side, on lower`.
 fn label(scene: &Scene, problem: &Problem, contact: &Contact) -> String {
     let obstacle = contact.obstacle;
     let on = scene.obstacles.get(obstacle).map_or_else(String::new, |o| {

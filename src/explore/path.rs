@@ -4,6 +4,7 @@ use crate::contact::Class;
 use crate::equilibrium::{Event, Solution, Status};
 use crate::forces::{Sweep, SweepPoint};
 use crate::geometry::Vector;
+use crate::mechanics::CableState;
 use crate::robot::{Line, PlanarNode};
 use serde::{Deserialize, Serialize};
 
@@ -41,6 +42,8 @@ pub struct PathState {
     pub energy_slope: f64,
     /// What presses, by candidate.
     pub contacts: Vec<Pressing>,
+    /// The cables, in the order of the scene.
+    pub cables: Vec<CableState>,
 }
 
 /// Where a path stops short of the last pull asked for.
@@ -92,6 +95,7 @@ impl PathState {
                     point: contact.point,
                 })
                 .collect(),
+            cables: solution.cables.clone(),
         }
     }
 
@@ -132,6 +136,16 @@ impl PathState {
             }
         }
         contacts.retain(|contact| contact.multiplier > 0.0);
+        let cables = self.cables.iter().zip(&other.cables);
+        let cables = cables.map(|(here, there)| CableState {
+            pull: mix(here.pull, there.pull),
+            tension: mix(here.tension, there.tension),
+            is_slack: if t < 0.5 {
+                here.is_slack
+            } else {
+                there.is_slack
+            },
+        });
         Self {
             pull: mix(self.pull, other.pull),
             branch: self.branch,
@@ -143,6 +157,7 @@ impl PathState {
             energy: mix(self.energy, other.energy),
             energy_slope: mix(self.energy_slope, other.energy_slope),
             contacts,
+            cables: cables.collect(),
         }
     }
 }

@@ -4,6 +4,12 @@
 use super::path::{Path, PathState};
 use crate::geometry::Vector;
 
+/// How far the tip may move away from a point on the way to a place that is nearer,
+/// over the backbone's length.
+const CLIMB: f64 = 0.05;
+/// How much nearer that place has to be, over the backbone's length.
+const WORTH: f64 = 0.01;
+
 /// A place on the tip's polyline.
 #[derive(Clone, Copy)]
 struct Nearest {
@@ -22,10 +28,12 @@ impl Path {
             .map(|nearest| nearest.pull)
     }
 
-    /// The same on the way downhill from a pull: the nearest place that is
-    /// reached without moving away from the point, so that the pull does not
-    /// hop to another part of a tip's path that winds. A jump is crossed where
-    /// its other side is nearer.
+    /// The same on the way from a pull: the nearest place that is reached without
+    /// moving away from the point by more than a twentieth of the robot, so that the pull does not hop
+    /// to another part of a tip's path that winds, and yet does not stop where the
+    /// path turns back for a moment, as it does at a contact. A place behind such a
+    /// turn has to be nearer by a hundredth: the pull is not to flicker between two that
+    /// are as good. A jump is crossed where its other side is nearer.
     pub fn nearest_to_tip_from(&self, point: Vector, pull: f64) -> Option<f64> {
         let count = self.links();
         if count == 0 {
@@ -38,17 +46,25 @@ impl Path {
         let ways: [&mut dyn Iterator<Item = usize>; 2] =
             [&mut (here + 1..count), &mut (0..here).rev()];
         for way in ways {
-            let mut last = start;
+            let (mut nearest, mut last) = (start, start);
+            let mut climbed = 0.0;
             for link in way {
                 let next = self.on_link(link, point);
                 // Links that share the nearest end are equally near.
                 if next.distance > last.distance {
-                    break;
+                    climbed = next.distance - nearest.distance;
+                    if climbed > CLIMB * self.length {
+                        break;
+                    }
+                }
+                let worth = if climbed > 0.0 { WORTH } else { 0.0 };
+                if next.distance <= nearest.distance - worth * self.length {
+                    (nearest, climbed) = (next, 0.0);
                 }
                 last = next;
             }
-            if last.distance < best.distance {
-                best = last;
+            if nearest.distance < best.distance {
+                best = nearest;
             }
         }
         Some(best.pull)

@@ -10,12 +10,10 @@ use crate::equilibrium::Solved;
 use crate::geometry::{Core, Obstacle, Vector};
 use crate::mechanics::Problem;
 use crate::robot::{PlanarNode, Robot};
-use crate::view::{Bounds, Colour, Role, Shares, Standing, Theme};
+use crate::view::{Bounds, Colour, ForceScale, Role, Shares, Standing, Theme};
 use nalgebra::Vector3;
 use std::f32::consts::FRAC_PI_2;
 
-/// Length of the longest arrow, over the backbone's length.
-const ARROW: f64 = 0.16;
 /// How far around the robot obstacles are shown, over the backbone's length.
 const SURROUNDINGS: f64 = 0.6;
 /// How far around it a picture reaches at most.
@@ -96,8 +94,15 @@ impl Materials {
 }
 
 /// The solids of a solution among these obstacles, its problem's own or those
-/// that it is on its way to. One without nodes shows the obstacles alone.
-pub fn mesh(solved: &Solved, obstacles: &[Obstacle], theme: Theme, standing: &Standing) -> Mesh {
+/// that it is on its way to, with forces by a scale. One without nodes shows the
+/// obstacles alone.
+pub fn mesh(
+    solved: &Solved,
+    obstacles: &[Obstacle],
+    scale: ForceScale,
+    theme: Theme,
+    standing: &Standing,
+) -> Mesh {
     let (problem, solution) = (solved.problem(), solved.solution());
     let sizes = &Drawn::of(problem.robot());
     let base = problem.robot().base.position;
@@ -113,7 +118,7 @@ pub fn mesh(solved: &Solved, obstacles: &[Obstacle], theme: Theme, standing: &St
     let materials = Materials::of(theme, standing);
     let origin = around.centre();
     let flat = |v: Vector| Flat::new((v.x - origin.x) as f32, (v.y - origin.y) as f32);
-    let shares = Shares::of(solution);
+    let shares = Shares::of(solution, scale);
     let share = |contact: &Contact| shares.contact(contact);
 
     let mut solids = Triangles::default();
@@ -211,10 +216,10 @@ pub fn mesh(solved: &Solved, obstacles: &[Obstacle], theme: Theme, standing: &St
         let radius = if pressing { 0.010 } else { 0.006 } * length;
         overlay.ball(at, radius as f32, &bead);
         if pressing {
-            let arrow = share(contact) * ARROW * length;
+            let arrow = scale.arrow(share(contact));
             add_arrow(&mut overlay, contact, at, arrow, length, &bead);
             if !standing.is_greyed() {
-                let strength = 0.55 + 0.45 * share(contact);
+                let strength = (0.55 + 0.45 * share(contact)) * (20.0 * share(contact)).min(1.0);
                 Mesh::add_glow(
                     &mut glows,
                     at,

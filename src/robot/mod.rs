@@ -14,6 +14,6 @@ mod strung;
 pub use cable::Cable;
 pub use candidate::{Candidate, Element, Joins, Line};
 pub use dimensions::Robot;
-pub use names::part_name;
+pub use names::{disk_name, part_name};
 pub use node::{Nodes, PlanarNode};
 pub use sizes::Sizes;

@@ -1,5 +1,5 @@
 //! What the robot's lines and parts are called: in files, in sentences, and in
-//! tables by disk. Every message that names a part takes it from here.
+//! short by disk. Every message that names a part takes it from here.
 
 use super::candidate::Line;
 use super::dimensions::Robot;
@@ -33,31 +33,41 @@ impl Line {
     }
 }
 
-/// A part of the robot in words, by the disk that it belongs to, counted from 1
-/// at the base as in the paper, and the side: `disk 6, cable side` for a cable
-/// node that carries a disk, `between disks 6 and 7, backbone` for one that
-/// does not. `node` is that of a contact: 0 at the base, a link's upper one.
+/// A part of the robot in short, by the disk that it belongs to, counted from 0 at the
+/// base, and the side: `D5, cable side` for a cable node that carries a disk, `D5–D6,
+/// backbone` for one that does not. `node` is that of a contact: 0 at the base, a
+/// link's upper one. The paper counts disks from 1.
 pub fn part_name(robot: &Robot, line: Line, node: usize) -> String {
-    let bay = robot.segments_per_bay;
     let link = matches!(line, Line::BackboneLink | Line::CableLink);
-    let whole = node / bay + 1;
-    let place = if robot.has_disk(node) && !link {
-        format!("disk {whole}")
-    } else {
+    let place = if link {
         // A link ends at its node, so the one below a disk starts in its bay.
-        let below = node.saturating_sub(usize::from(link)) / bay + 1;
-        format!("between disks {below} and {}", below + 1)
+        between(robot, node.saturating_sub(1))
+    } else {
+        disk_name(robot, node)
     };
     let side = match line {
         Line::Backbone => "backbone",
         Line::Cable => "cable side",
-        Line::RimCableSide => "rim on the cable side",
-        Line::RimFarSide => "rim on the far side",
+        Line::RimCableSide => "cable-side rim",
+        Line::RimFarSide => "far rim",
         Line::BackboneLink => "backbone",
         Line::CableLink => "cable",
         Line::DiskFace => "face",
     };
     format!("{place}, {side}")
+}
+
+/// The disk at a node, as `D5`, or those that it is between, as `D5–D6`.
+pub fn disk_name(robot: &Robot, node: usize) -> String {
+    match robot.has_disk(node) {
+        true => format!("D{}", node / robot.segments_per_bay),
+        false => between(robot, node),
+    }
+}
+
+fn between(robot: &Robot, node: usize) -> String {
+    let below = node / robot.segments_per_bay;
+    format!("D{below}–D{}", below + 1)
 }
 
 #[cfg(test)]
@@ -67,17 +77,17 @@ mod tests {
 
     /// Two segments a bay, as the paper's.
     #[test]
-    fn parts_are_named_by_their_disks_as_the_paper_counts_them() {
+    fn parts_are_named_by_their_disks_from_the_base() {
         let robot = Robot::of(&Scene::default());
         let check = |line, node, expected: &str| {
             assert_eq!(part_name(&robot, line, node), expected);
         };
-        check(Line::Cable, 10, "disk 6, cable side");
-        check(Line::Cable, 16, "disk 9, cable side");
-        check(Line::Cable, 11, "between disks 6 and 7, cable side");
+        check(Line::Cable, 10, "D5, cable side");
+        check(Line::Cable, 16, "D8, cable side");
+        check(Line::Cable, 11, "D5–D6, cable side");
         // A link belongs to the bay it lies in, also where it ends at a disk.
-        check(Line::CableLink, 12, "between disks 6 and 7, cable");
-        check(Line::CableLink, 13, "between disks 7 and 8, cable");
-        check(Line::RimFarSide, 0, "disk 1, rim on the far side");
+        check(Line::CableLink, 12, "D5–D6, cable");
+        check(Line::CableLink, 13, "D6–D7, cable");
+        check(Line::RimFarSide, 0, "D0, far rim");
     }
 }

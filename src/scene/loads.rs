@@ -20,6 +20,9 @@ pub struct Loads {
 }
 
 impl Loads {
+    /// The standard acceleration of gravity, downward, [x, y], m/s².
+    pub const EARTHS_GRAVITY_M_S2: [f64; 2] = [0.0, -9.80665];
+
     /// Whether nothing acts.
     pub fn is_none(&self) -> bool {
         *self == Loads::default()

@@ -178,7 +178,7 @@ mod tests {
         let alone = best_pull(&problem(), &measured(), |_| {});
         match answer {
             Answer::BestPull(fit) => assert_eq!(fit, alone.map(|(_, fit)| fit)),
-            Answer::Shape(shape) => panic!("{shape:?}"),
+            other => panic!("{other:?}"),
         }
     }
 

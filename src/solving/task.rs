@@ -4,11 +4,15 @@
 
 use crate::equilibrium::{Progress, Run, Settings, Solution, Start};
 use crate::experiments::{Measured, PullSearch, ShapeError, ShapeFit};
+use crate::explore::{Path, PathRun};
+use crate::forces::Sweep;
 use crate::mechanics::Problem;
 use serde::{Deserialize, Serialize};
 
 /// Iterations of a slice, as in live work: about 0.1 ms for the paper's robot.
 const SLICE: usize = 32;
+/// States of a path, as in live work: a pixel or two apart in a plot.
+const STATES: usize = 201;
 
 /// Names a task among those of one window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -29,6 +33,13 @@ pub enum Task {
         /// The robot, what drives it and its obstacles.
         problem: Problem,
     },
+    /// What a robot does along the pull of its first cable.
+    Path {
+        /// The robot, what drives it and its obstacles; its own pull does not matter.
+        problem: Problem,
+        /// The pulls to be covered, in metres.
+        span: (f64, f64),
+    },
 }
 
 /// What a task has led to.
@@ -39,6 +50,8 @@ pub enum Answer {
     /// The shape, of the problem asked for or of the last one on the way to it that
     /// has an equilibrium.
     Shape(Box<Solution>),
+    /// The robot along its pull.
+    Path(Box<Path>),
 }
 
 /// A task that was begun.
@@ -46,6 +59,7 @@ pub enum Answer {
 pub(super) enum Doing {
     BestPull(Box<PullSearch>),
     Shape(Box<(Problem, Run)>),
+    Path(Box<PathRun>),
 }
 
 impl Doing {
@@ -58,6 +72,10 @@ impl Doing {
                 let run = Run::new(&problem, Start::Straight, Settings::default());
                 Self::Shape(Box::new((problem, run)))
             }
+            Task::Path { problem, span } => {
+                let pulls = Sweep::pulls(span.0, span.1, STATES);
+                Self::Path(Box::new(PathRun::new(&problem, pulls)))
+            }
         }
     }
 
@@ -66,6 +84,7 @@ impl Doing {
         match self {
             Self::BestPull(search) => search.advance(SLICE),
             Self::Shape(shape) => shape.1.advance(SLICE),
+            Self::Path(run) => run.advance(SLICE),
         }
     }
 
@@ -74,6 +93,7 @@ impl Doing {
         match self {
             Self::BestPull(search) => search.share(),
             Self::Shape(shape) => shape.1.share(),
+            Self::Path(run) => run.share(),
         }
     }
 
@@ -85,6 +105,7 @@ impl Doing {
                 let (problem, run) = *shape;
                 Answer::Shape(Box::new(run.solved_for(&problem).into_solution()))
             }
+            Self::Path(run) => Answer::Path(Box::new(run.finish())),
         }
     }
 }

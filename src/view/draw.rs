@@ -3,7 +3,8 @@
 
 use super::bounds::Bounds;
 use super::cables;
-use super::drawing::{Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Most, Role, Spot};
+use super::drawing::{Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Role, Spot};
+use super::force_scale::ForceScale;
 use super::outcome::standing;
 use super::path::{Outline, Path, clip_half_plane, hatching, outline};
 use super::quantity::{Quantity, one_two_five};
@@ -15,18 +16,17 @@ use crate::geometry::Vector;
 use crate::mechanics::{Input, Model, Problem};
 use crate::robot::{Line, PlanarNode, Sizes};
 use crate::scene::Scene;
-use crate::units::{RAD2_PER_MM, degrees, grams, millimetres, per_millimetre};
+use crate::units::{degrees, grams, millimetres};
 
-/// Length of the longest arrow, over the backbone's length.
-const ARROW: f64 = 0.16;
 /// How far around the robot obstacles are shown, over the backbone's length.
 const SURROUNDINGS: f64 = 0.5;
 /// How much of a wall is shown, over the backbone's length.
 const WALL_DEPTH: f64 = 0.06;
 /// Margin around everything, over the larger side of the picture.
 const MARGIN: f64 = 0.05;
-/// Arrows whose multiplier is below this share of the greatest have no number.
-const LABELLED: f64 = 0.02;
+/// Arrows whose multiplier is below this share of the greatest have no number, and
+/// neither have those below that share of the scale: they are next to nothing.
+const LABELLED: [f64; 2] = [0.02, 0.002];
 /// Most numbers on contacts, the greatest first.
 const MOST_LABELS: usize = 8;
 /// How far curves may be from the points that stand for them where the picture's
@@ -57,6 +57,8 @@ pub struct Notes {
     /// The backbone's bending stiffness; without it contacts show multipliers
     /// in the place of forces.
     pub stiffness: Option<Stiffness>,
+    /// What forces are drawn by; left out, the finest scale that shows them all.
+    pub scale: Option<ForceScale>,
 }
 
 impl Notes {
@@ -67,6 +69,7 @@ impl Notes {
             names: scene.obstacles.iter().map(|o| o.name.clone()).collect(),
             tip_trace: Vec::new(),
             stiffness: Stiffness::of_scene(scene).ok().flatten(),
+            scale: None,
         }
     }
 }
@@ -84,9 +87,13 @@ pub fn draw_on_the_way(solved: &Solved, to: &Problem, notes: &Notes) -> Drawing 
     let (problem, solution) = (solved.problem(), solved.solution());
     let nodes = &solution.nodes[..];
     let sizes = &problem.robot().sizes;
-    let shares = Shares::of(solution);
+    let most = solution.contacts.iter().map(|contact| contact.multiplier);
+    let most = most.fold(0.0, f64::max);
+    let scale = notes
+        .scale
+        .unwrap_or_else(|| ForceScale::above(problem, notes.stiffness, most));
+    let shares = Shares::of(solution, scale);
     let share = |contact: &Contact| shares.contact(contact);
-    let most = shares.most();
     let mut marks = Vec::new();
     for (index, obstacle) in to.obstacles().iter().enumerate() {
         let geometry = match outline(obstacle) {
@@ -142,7 +149,7 @@ pub fn draw_on_the_way(solved: &Solved, to: &Problem, notes: &Notes) -> Drawing 
     for contact in &solution.contacts {
         if contact.class == Class::Pressing {
             let tail = contact.point;
-            let tip = tail + share(contact) * ARROW * problem.length() * contact.normal;
+            let tip = tail + scale.arrow(share(contact)) * contact.normal;
             let role = Role::Force(share(contact));
             marks.push(mark(role, Geometry::Arrow { tail, tip }, 0.0));
         }
@@ -155,14 +162,14 @@ pub fn draw_on_the_way(solved: &Solved, to: &Problem, notes: &Notes) -> Drawing 
         marks.push(mark(role, Geometry::Dot(contact.point), 0.0));
     }
     let bounds = bounds(problem, &marks);
-    let scale = Scale::of(problem, notes);
     let size = bounds.size();
     Drawing {
         bounds,
         grid: one_two_five(size.max() / GRID_LINES),
         scale_bar: one_two_five((BAR[0] * size.x).min(BAR[1] * size.y)),
         labels: labels(solution, notes, &marks, (most, scale), bounds),
-        most: (most > 0.0).then(|| scale.end(most)),
+        scale,
+        presses: most > 0.0,
         caption: caption(solved, to, notes),
         standing: standing(solution),
         marks,
@@ -250,51 +257,19 @@ fn bounds(problem: &Problem, marks: &[Mark]) -> Bounds {
     all.grown(MARGIN * all.size().max())
 }
 
-/// How hard a contact presses, as it is written.
-#[derive(Clone, Copy)]
-enum Scale {
-    /// As λ per millimetre.
-    Multiplier,
-    /// In grams, of so many newtons for a multiplier of 1 rad²/m.
-    Force(f64),
-}
-
-impl Scale {
-    fn of(problem: &Problem, notes: &Notes) -> Self {
-        let per_bend = notes.stiffness.map(|it| it.per_bend(problem));
-        per_bend.map_or(Self::Multiplier, Self::Force)
-    }
-
-    fn written(self, multiplier: f64) -> Quantity {
-        match self {
-            Self::Multiplier => Quantity::significant(per_millimetre(multiplier), RAD2_PER_MM),
-            Self::Force(per_bend) => Quantity::significant(grams(per_bend * multiplier), "g"),
-        }
-    }
-
-    fn end(self, most: f64) -> Most {
-        Most {
-            what: match self {
-                Self::Multiplier => "contact multiplier",
-                Self::Force(_) => "contact force",
-            },
-            value: self.written(most),
-        }
-    }
-}
-
 fn labels(
     solution: &Solution,
     notes: &Notes,
     marks: &[Mark],
-    (most, scale): (f64, Scale),
+    (most, scale): (f64, ForceScale),
     bounds: Bounds,
 ) -> Vec<Label> {
     let mut labels = Vec::new();
     let mut pressing: Vec<&Contact> = solution
         .contacts
         .iter()
-        .filter(|c| c.class == Class::Pressing && c.multiplier >= LABELLED * most)
+        .filter(|c| c.class == Class::Pressing && c.multiplier >= LABELLED[0] * most)
+        .filter(|c| scale.of(c) >= LABELLED[1])
         .collect();
     pressing.sort_by(|a, b| b.multiplier.total_cmp(&a.multiplier));
     let arrows = marks.iter().filter_map(|mark| match mark.geometry {

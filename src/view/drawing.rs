@@ -2,6 +2,7 @@
 //! mean, not how they look. Lengths in metres, y upward.
 
 use super::bounds::Bounds;
+use super::force_scale::ForceScale;
 use super::path::{Path, clip_half_plane};
 use super::quantity::Quantity;
 use crate::contact::Class;
@@ -21,21 +22,14 @@ pub struct Drawing {
     /// What is written beside the marks. Where it goes depends on the size of
     /// letters: see [`super::place_labels`].
     pub labels: Vec<Label>,
-    /// What the contact scale ends at; `None` where nothing presses.
-    pub most: Option<Most>,
+    /// What arrows, glow and colours of contacts measure by.
+    pub scale: ForceScale,
+    /// Whether anything presses, so that the scale has something to say.
+    pub presses: bool,
     /// What is written above the picture.
     pub caption: Caption,
     /// Whether the shape is to be believed.
     pub standing: Standing,
-}
-
-/// The end of the contact scale.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Most {
-    /// What the scale shows, such as `contact force`.
-    pub what: &'static str,
-    /// The greatest of all contacts.
-    pub value: Quantity,
 }
 
 /// Something to draw.
@@ -64,7 +58,7 @@ pub enum Role {
     /// A disk.
     Disk,
     /// A disk that presses; the greatest of its multipliers as a share of the
-    /// greatest of all.
+    /// scale.
     TouchedDisk(f64),
     /// A cable.
     Cable,
@@ -76,11 +70,11 @@ pub enum Role {
     Node,
     /// The last node.
     Tip,
-    /// A contact's multiplier, along its normal, as a share of the greatest.
+    /// A contact's multiplier, along its normal, as a share of the scale.
     Force(f64),
     /// A contact.
     Contact {
-        /// Its multiplier as a share of the greatest.
+        /// Its multiplier as a share of the scale.
         share: f64,
         /// Whether it carries a force.
         class: Class,

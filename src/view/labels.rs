@@ -95,7 +95,7 @@ fn places(spot: &Spot, frame: &Frame, half: Vector) -> Vec<(f64, Vector)> {
         Spot::Beyond { point, towards } => {
             let point = frame.to_screen(*point);
             let straight = Vector::new(towards.x, -towards.y);
-            for away in [0.0, 10.0, 22.0, 36.0, 54.0] {
+            for away in [0.0, 10.0, 22.0, 36.0, 54.0, 76.0, 102.0] {
                 for turn in [0.0, 0.4, -0.4, 0.8, -0.8, 1.3, -1.3, 2.0, -2.0] {
                     let (sine, cosine) = libm::sincos(turn);
                     let direction = Vector::new(
@@ -141,8 +141,10 @@ fn ink(drawing: &Drawing, frame: &Frame) -> Vec<(Vector, f64)> {
     for mark in &drawing.marks {
         let mut weight = match mark.role {
             Role::Obstacle(_) | Role::TipTrace | Role::BaseHatch => 0.3,
-            Role::Disk | Role::TouchedDisk(_) | Role::Base => 0.6,
-            Role::Cable | Role::SlackCable | Role::Backbone | Role::Node | Role::Tip => 1.0,
+            // A label on the robot is worse than one that is far from what it is of.
+            Role::Base => 0.6,
+            Role::Disk | Role::TouchedDisk(_) => 3.0,
+            Role::Cable | Role::SlackCable | Role::Backbone | Role::Node | Role::Tip => 3.0,
             Role::Force(_) => 1.5,
             Role::Contact { .. } => 6.0,
         };

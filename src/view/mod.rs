@@ -11,6 +11,7 @@ mod chart;
 mod compared;
 mod draw;
 mod drawing;
+mod force_scale;
 mod frame;
 mod labels;
 mod outcome;
@@ -24,9 +25,8 @@ pub use bounds::Bounds;
 pub use chart::{Axis, Chart, CurveStyle, Series};
 pub use compared::compared;
 pub use draw::{Notes, draw, draw_on_the_way};
-pub use drawing::{
-    Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Most, Role, Spot, Standing,
-};
+pub use drawing::{Caption, Drawing, Fact, Geometry, Label, LabelText, Mark, Role, Spot, Standing};
+pub use force_scale::{ForceScale, Key};
 pub use frame::Frame;
 pub use labels::{Placed, place_labels, place_labels_beside};
 pub use outcome::{outcome, reason};

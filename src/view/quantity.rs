@@ -30,6 +30,15 @@ impl Quantity {
         }
     }
 
+    /// A round number with no more digits than it has; as a power of ten below 10⁻³.
+    pub fn round(value: f64, unit: &'static str) -> Self {
+        let power = libm::log10(value).floor();
+        if value.is_nan() || power < -3.0 {
+            return Self::order(value, unit);
+        }
+        Self::fixed(value, (-power).max(0.0) as usize, unit)
+    }
+
     /// A value with one significant digit times a power of ten: how large it
     /// is, where more would mean nothing.
     pub fn order(value: f64, unit: &'static str) -> Self {

@@ -1,40 +1,30 @@
-//! How hard contacts and disks press, as shares of what presses hardest: the
-//! same for every picture.
+//! How hard contacts and disks press, as shares of a scale: the same for every
+//! picture.
 
+use super::force_scale::ForceScale;
 use crate::contact::{Class, Contact};
 use crate::equilibrium::Solution;
 use crate::robot::Line;
 
-/// The contacts of a solution, measured by the greatest of their multipliers.
+/// The contacts of a solution, measured by a scale.
 #[derive(Clone, Copy, Debug)]
 pub struct Shares<'a> {
     contacts: &'a [Contact],
-    most: f64,
+    scale: ForceScale,
 }
 
 impl<'a> Shares<'a> {
     /// The shares of a solution's contacts.
-    pub fn of(solution: &'a Solution) -> Self {
-        let contacts = &solution.contacts[..];
-        let multipliers = contacts.iter().map(|contact| contact.multiplier);
+    pub fn of(solution: &'a Solution, scale: ForceScale) -> Self {
         Self {
-            contacts,
-            most: multipliers.fold(0.0, f64::max),
+            contacts: &solution.contacts,
+            scale,
         }
-    }
-
-    /// The greatest multiplier, rad²/m; 0 where nothing presses.
-    pub fn most(&self) -> f64 {
-        self.most
     }
 
     /// A contact's share, from 0 to 1.
     pub fn contact(&self, contact: &Contact) -> f64 {
-        if self.most > 0.0 {
-            (contact.multiplier / self.most).clamp(0.0, 1.0)
-        } else {
-            0.0
-        }
+        self.scale.of(contact)
     }
 
     /// The greatest share of what presses on a node's disk and not on the

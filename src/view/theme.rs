@@ -1,10 +1,10 @@
 //! How each role looks, by day and by night. Widths and sizes are in points
 //! of the screen; nothing here knows where anything is.
 //!
-//! Contacts have one sequential scale, from dark over amber to bright, whose
-//! lightness only rises, so that it can be read without seeing hues. In both
-//! themes arrows and contacts have an edge that stands out from the
-//! background whatever their colour.
+//! Contacts have one sequential scale over amber, away from the background: from
+//! pale to dark by day and from dark to bright by night. Its lightness changes one
+//! way, so that it can be read without seeing hues. What is next to nothing fades;
+//! all else that presses has an edge that stands out from the background.
 
 use super::drawing::{Role, Standing};
 use crate::contact::Class;
@@ -111,9 +111,9 @@ const LIGHT: Palette = Palette {
     quiet: Colour::hex(0x77766f),
     warning: Colour::hex(0xa84a06),
     contact: [
-        Colour::hex(0x5a2a12),
-        Colour::hex(0xc4610f),
-        Colour::hex(0xffb829),
+        Colour::hex(0xf3d3a2),
+        Colour::hex(0xdb7a1c),
+        Colour::hex(0x7d2a06),
     ],
     casing: Colour::hex(0x4a220c),
     ink: Colour::hex(0x1c2430),
@@ -269,7 +269,12 @@ impl Theme {
                 ..Style::NOTHING
             },
             Role::Disk => line(palette.disk, 1.75),
-            Role::TouchedDisk(share) => line(self.contact(share), 2.75),
+            // Between a disk and its force: as bright as that it would be taken for
+            // another arrow.
+            Role::TouchedDisk(share) => {
+                let pressed = self.contact(share);
+                line(palette.disk.towards(pressed, 0.55 * strength(share)), 2.25)
+            }
             Role::Cable => line(palette.cable, 1.75),
             Role::SlackCable => line(palette.cable.faded(0.7), 1.0),
             Role::Backbone => line(palette.ink, 3.5),
@@ -286,11 +291,11 @@ impl Theme {
                 ..Style::NOTHING
             },
             Role::Force(share) => Style {
-                fill: Some(believed(self.contact(share))),
+                fill: Some(believed(self.contact(share)).faded(strength(share))),
                 stroke: Some(if standing.is_greyed() {
                     palette.background
                 } else {
-                    palette.casing
+                    palette.casing.faded(strength(share))
                 }),
                 width: 1.0,
                 ..Style::NOTHING
@@ -309,11 +314,18 @@ impl Theme {
                     width: 0.0,
                     radius: if pressing { 3.75 } else { 0.0 },
                     ring: Some(ring),
-                    glow: pressing.then_some((14.0, colour.faded(0.22 + 0.2 * share))),
+                    glow: pressing
+                        .then_some((14.0, colour.faded((0.22 + 0.2 * share) * strength(share)))),
                 }
             }
         }
     }
+}
+
+/// How much is seen of what a share of the scale lights up: all of it from a
+/// twentieth on.
+fn strength(share: f64) -> f64 {
+    (20.0 * share).min(1.0)
 }
 
 impl Style {
@@ -344,12 +356,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_contact_scale_only_gets_brighter() {
+    fn the_contact_scale_goes_away_from_the_background() {
         for theme in [Theme::Light, Theme::Dark] {
             let light: Vec<f64> = (0..=50)
                 .map(|i| theme.contact(f64::from(i) / 50.0).luminance())
                 .collect();
-            assert!(light.windows(2).all(|pair| pair[0] < pair[1]), "{light:?}");
+            let rises = theme == Theme::Dark;
+            let goes = |pair: &[f64]| (pair[0] < pair[1]) == rises;
+            assert!(light.windows(2).all(goes), "{light:?}");
         }
     }
 

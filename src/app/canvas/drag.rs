@@ -1,20 +1,24 @@
-//! Dragging: the view, obstacles, their handles, new obstacles, the tip and the force
-//! on it.
+//! Dragging: the view, obstacles, their handles, new obstacles, the tip, the force on
+//! it, gravity's direction.
 //! Each frame starts from the scene as it was when the drag began, so that
 //! rounding does not add up and giving up restores it exactly.
 
 use super::hit::{self, Target};
 use super::pull::TipMap;
-use super::tip_force;
 use super::view::Canvas;
+use super::{gravity, tip_force};
 use crate::app::shapes::{self, Handle, Tool, drag, handles, moved, neat, vertices};
 use crate::app::workbench::{Playing, Selection, Workbench};
 use crate::geometry::Vector;
 use crate::scene::{Obstacle, Scene, Shape};
-use crate::units::{METRES_PER_MM, millimetres};
+use crate::units::{METRES_PER_MM, metres, millimetres};
 use crate::view::{Frame, Quantity};
 use eframe::egui::Modifiers;
 
+/// A tip is behind the hand that drags it at this distance, and at the end of its path
+/// so near to it in pull, over the robot's length.
+const BEHIND: f64 = 0.08;
+const ENDS: f64 = 1e-4;
 /// A force whose arrow is shorter than this, in points, is none.
 const NO_FORCE: f64 = 6.0;
 
@@ -61,6 +65,8 @@ pub enum Dragged {
         /// The force, in N, that it was.
         force: Vector,
     },
+    /// Gravity's direction.
+    Gravity,
 }
 
 impl Drag {
@@ -139,6 +145,7 @@ impl Drag {
                 };
                 Self::new(bench, what, origin)
             }
+            Target::Gravity => Self::new(bench, Dragged::Gravity, origin),
             Target::Robot | Target::Nothing => Self::view(bench),
         }
     }
@@ -218,6 +225,16 @@ impl Drag {
                 };
                 bench.document.scene.loads.tip_force_n = force.into();
             }
+            Dragged::Gravity => {
+                let snap = match modifiers.shift {
+                    true => gravity::Snap::Marks,
+                    false => gravity::Snap::Degrees,
+                };
+                // From where it was, so that its size stays what it is.
+                let scene = &mut bench.document.scene;
+                scene.loads.gravity_m_s2 = self.before.loads.gravity_m_s2;
+                gravity::turn(scene, frame, frame.to_screen(at), snap);
+            }
             Dragged::Tip {
                 map,
                 stood,
@@ -252,6 +269,7 @@ impl Drag {
             Dragged::Handle(index, handle, _) => Target::Handle(*index, *handle),
             Dragged::Tip { .. } => Target::Tip,
             Dragged::TipForce { .. } => Target::TipForce,
+            Dragged::Gravity => Target::Gravity,
         }
     }
 
@@ -266,13 +284,44 @@ impl Drag {
             Dragged::Handle(index, handle, _) => {
                 shape(*index).map_or(Vec::new(), |shape| handle_reading(shape, *handle))
             }
-            Dragged::Tip { .. } => vec![("Pull", mm(bench.pull_mm()))],
+            Dragged::Tip { map, .. } => {
+                let pull = ("Pull", mm(bench.pull_mm()));
+                let why = self.followed.and_then(|(at, _)| held_back(bench, map, at));
+                std::iter::once(pull).chain(why).collect()
+            }
+            Dragged::Gravity => match gravity::of(bench) {
+                Some(gravity) => vec![("Gravity towards", gravity::direction(gravity))],
+                None => Vec::new(),
+            },
             Dragged::TipForce { .. } => {
                 let force = tip_force::force(bench).norm();
                 vec![("Force", Quantity::significant(force, "N"))]
             }
         }
     }
+}
+
+/// Why a tip does not follow a hand that is far from it, at a point in metres.
+fn held_back(bench: &Workbench, map: &TipMap, at: Vector) -> Option<(&'static str, Quantity)> {
+    let TipMap::Path(path) = map else {
+        return None;
+    };
+    let live = &bench.live;
+    let tip = live.solution()?.nodes.last()?.position;
+    if live.is_waiting() || (at - tip).norm() < BEHIND * live.problem().length() {
+        return None;
+    }
+    let words = match &path.end {
+        Some(end) if metres(bench.pull_mm()) >= end.pull - ENDS * path.length => {
+            end.status.reason()
+        }
+        _ => "the tip gets no nearer".to_owned(),
+    };
+    let words = Quantity {
+        digits: words,
+        unit: "",
+    };
+    Some(("·", words))
 }
 
 fn set(bench: &mut Workbench, index: usize, shape: Shape) {

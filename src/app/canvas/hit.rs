@@ -1,8 +1,9 @@
 //! What is under a point of the canvas, and how near is near enough.
 
-use super::tip_force;
+use super::{gravity, tip_force};
 use crate::app::shapes::{Handle, Tool, Turned, handles};
-use crate::app::workbench::{Hovered, Live, Workbench};
+use crate::app::workbench::{Hovered, Live, Workbench, nodes_of_stretch};
+use crate::equilibrium::Solved;
 use crate::geometry::{Obstacle, Vector};
 use crate::scene::Shape;
 use crate::units::{METRES_PER_MM, millimetres};
@@ -51,6 +52,8 @@ pub enum Target {
     Tip,
     /// The force on it.
     TipForce,
+    /// The dial of gravity.
+    Gravity,
     /// An obstacle.
     Obstacle(usize),
     /// The robot.
@@ -77,6 +80,10 @@ pub fn target_at(
     point: Vector,
     reach: Reach,
 ) -> Target {
+    let place = frame.to_screen(point);
+    if tool == Tool::Select && gravity::is_held_at(bench, frame, place, 1.5 * reach.handle) {
+        return Target::Gravity;
+    }
     if let Some((index, shape)) = selected(tool, bench, frame) {
         let all = handles(&shape, per_point(frame));
         let away = all.iter().map(|(_, at)| at * METRES_PER_MM);
@@ -100,11 +107,8 @@ pub fn target_at(
         Target::Nothing => {
             let backbone: Vec<Vector> = solution.backbone().collect();
             let near = 0.8 * reach.node / frame.scale;
-            let on = backbone.windows(2).any(|ends| {
-                let along = ends[1] - ends[0];
-                let share = (point - ends[0]).dot(&along) / along.norm_squared();
-                (ends[0] + share.clamp(0.0, 1.0) * along - point).norm() <= near
-            });
+            let mut links = backbone.windows(2);
+            let on = links.any(|ends| away_from([ends[0], ends[1]], point) <= near);
             if on { Target::Robot } else { Target::Nothing }
         }
         obstacle => obstacle,
@@ -131,11 +135,36 @@ pub fn hovered_at(bench: &Workbench, frame: &Frame, point: Vector, reach: Reach)
         if let Some(index) = nearest(solution.backbone(), point, near) {
             return Hovered::Node(index);
         }
+        if let Some(stretch) = stretch_at(solution, point, 0.6 * near) {
+            return stretch;
+        }
     }
     match under(&bench.live, frame, point, reach) {
         Target::Obstacle(index) => Hovered::Obstacle(index),
         _ => Hovered::Nothing,
     }
+}
+
+/// The nearest stretch of a cable, if it is near enough.
+fn stretch_at(solution: &Solved, point: Vector, near: f64) -> Option<Hovered> {
+    let problem = solution.problem();
+    let per_stretch = nodes_of_stretch(problem, 0).len();
+    let cables = (0..solution.cables.len()).filter(|_| !solution.nodes.is_empty());
+    let pieces = cables.flat_map(|cable| {
+        let points = solution.cable_points(cable);
+        let pieces = (1..points.len()).map(move |i| (i, [points[i - 1], points[i]]));
+        pieces.map(move |(i, ends)| (cable, (i - 1) / per_stretch, away_from(ends, point)))
+    });
+    let nearest = pieces.min_by(|a, b| a.2.total_cmp(&b.2))?;
+    let (cable, stretch, away) = nearest;
+    (away <= near).then_some(Hovered::Stretch { cable, stretch })
+}
+
+/// How far a point is from a straight piece of a line.
+fn away_from(ends: [Vector; 2], point: Vector) -> f64 {
+    let along = ends[1] - ends[0];
+    let share = (point - ends[0]).dot(&along) / along.norm_squared();
+    (ends[0] + share.clamp(0.0, 1.0) * along - point).norm()
 }
 
 /// The selected obstacle with the shape whose handles are shown, if any are: a
@@ -201,7 +230,7 @@ pub fn cursor(target: Target, shape: Option<&Shape>, held: Held) -> CursorIcon {
             Handle::End(_) | Handle::Vertex(_) => CursorIcon::Move,
             Handle::Turn => held.cursor(),
         },
-        Target::Tip | Target::TipForce | Target::Obstacle(_) => held.cursor(),
+        Target::Tip | Target::TipForce | Target::Gravity | Target::Obstacle(_) => held.cursor(),
         Target::Robot => CursorIcon::PointingHand,
         Target::Nothing => CursorIcon::Default,
     }

@@ -6,14 +6,15 @@ use super::overlay;
 use crate::app::look::Tokens;
 use crate::app::paint::to_screen;
 use crate::app::words;
-use crate::app::workbench::{Hovered, Workbench};
+use crate::app::workbench::{Hovered, Workbench, nodes_of_stretch};
 use crate::contact::Contact;
 use crate::equilibrium::Solved;
+use crate::forces::Sections;
 use crate::mechanics::Problem;
-use crate::robot::part_name;
-use crate::units::{METRES_PER_MM, degrees, millimetres};
+use crate::robot::{disk_name, part_name};
+use crate::units::{METRES_PER_MM, degrees, grams, millimetres, per_millimetre};
 use crate::view::{Frame, Quantity, Theme};
-use eframe::egui::{Color32, Painter, Rect, Stroke};
+use eframe::egui::{Color32, Painter, Rect, Shape, Stroke};
 
 /// Paints what is hovered and what there is to know of it.
 pub fn paint(
@@ -69,6 +70,22 @@ pub fn paint(
             ring(at, 11.0);
             contact_chip(bench, problem, contact).paint(painter, within, at, &tokens);
         }
+        Hovered::Stretch { cable, stretch } => {
+            let known = solution.cables.get(cable).is_some() && !solution.nodes.is_empty();
+            let points = known.then(|| solution.cable_points(cable));
+            let nodes = nodes_of_stretch(problem, stretch);
+            let Some(points) = points
+                .as_ref()
+                .and_then(|all| all.get(nodes.start..=nodes.end))
+            else {
+                return;
+            };
+            let line: Vec<_> = points.iter().map(|p| to_screen(frame, *p)).collect();
+            let middle = to_screen(frame, 0.5 * (points[0] + points[points.len() - 1]));
+            painter.add(Shape::line(line.clone(), Stroke::new(7.0, tokens.canvas)));
+            painter.add(Shape::line(line, Stroke::new(4.0, tokens.accent)));
+            stretch_chip(bench, solution, cable, stretch).paint(painter, within, middle, &tokens);
+        }
         Hovered::Obstacle(index) => {
             let stroke = Stroke::new(1.5, tokens.accent.gamma_multiply(0.6));
             overlay::outline_of(painter, &bench.live, index, frame, stroke);
@@ -96,7 +113,7 @@ fn node_chip(solution: &Solved, index: usize) -> Chip {
     if index + 1 == solution.nodes.len() {
         title.push_str(" · tip");
     } else if robot.has_disk(index) {
-        title.push_str(&format!(" · disk {}", index / robot.segments_per_bay + 1));
+        title.push_str(&format!(" · {}", disk_name(robot, index)));
     }
     let mm = |value| Quantity::fixed(millimetres(value), 2, "mm");
     let mut rows = vec![row("x", mm(node.position.x)), row("y", mm(node.position.y))];
@@ -115,6 +132,30 @@ fn node_chip(solution: &Solved, index: usize) -> Chip {
     }
 }
 
+/// What there is to know of a stretch of a cable.
+fn stretch_chip(bench: &Workbench, solution: &Solved, cable: usize, stretch: usize) -> Chip {
+    let newtons = bench.document.newtons_per_multiplier();
+    let tensions = Sections::of(solution, newtons.unwrap_or(1.0)).tensions;
+    let tension = tensions.get(cable).and_then(|of| of.get(stretch)).copied();
+    let tension = tension.map(|tension| match newtons {
+        Some(_) => Quantity::fixed(grams(tension), 1, "g"),
+        None => Quantity::significant(per_millimetre(tension), "rad²/mm"),
+    });
+    let cables = solution.cables.len();
+    let place = words::stretch(solution.problem(), cables, cable, stretch);
+    let title = match cables {
+        0 | 1 => format!("Cable, {place}"),
+        _ => words::capital(&place),
+    };
+    Chip {
+        title: Some(title),
+        rows: tension
+            .map(|tension| row("Tension T", tension))
+            .into_iter()
+            .collect(),
+    }
+}
+
 /// What there is to know of a contact.
 fn contact_chip(bench: &Workbench, problem: &Problem, contact: &Contact) -> Chip {
     let part = part_name(problem.robot(), contact.line, contact.node);
@@ -124,15 +165,16 @@ fn contact_chip(bench: &Workbench, problem: &Problem, contact: &Contact) -> Chip
     let force = force.map(|force| row("Force", force));
     Chip {
         title: Some(words::capital(&part)),
-        rows: [
-            row(
-                &words::capital(contact.class.word()),
-                text(format!("on {name}")),
-            ),
-            row("Multiplier λ", Quantity::significant(multiplier, "rad²/mm")),
-        ]
+        rows: [row(
+            &words::capital(contact.class.word()),
+            text(format!("on {name}")),
+        )]
         .into_iter()
         .chain(force)
+        .chain([row(
+            "Multiplier λ",
+            Quantity::significant(multiplier, "rad²/mm"),
+        )])
         .collect(),
     }
 }

@@ -71,6 +71,11 @@ impl Labels {
                     painter.text(middle, Align2::CENTER_CENTER, name, small(), quiet);
                 }
                 LabelText::Value(value) => {
+                    // A plate, so that grid and outlines do not run through digits.
+                    let corner = |at: Vector| pos2(at.x as f32, at.y as f32);
+                    let plate =
+                        Rect::from_min_max(corner(place.area.least), corner(place.area.most));
+                    painter.rect_filled(plate.expand(2.0), 4.0, tokens.canvas.gamma_multiply(0.8));
                     let mut at = pos2(place.area.least.x as f32, middle.y);
                     for (text, font, ink) in [
                         (value.digits.clone(), semibold(12.0), tokens.text),

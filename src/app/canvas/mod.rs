@@ -6,6 +6,7 @@ mod banner;
 mod camera;
 mod chip;
 mod drag;
+mod gravity;
 mod handles;
 mod hints;
 mod hit;
@@ -136,13 +137,14 @@ fn picture(
         handles::paint(&painter, &shape, frame, filled, reach, &tokens);
     }
     tip_force::paint(&painter, bench, frame, &tokens);
+    gravity::paint(&painter, bench, frame, target == Target::Gravity, &tokens);
     if target == Target::Tip {
         overlay::tip_ring(&painter, &bench.live, frame, &tokens);
     }
     overlay::scale_bar(&painter, frame, canvas.strip, theme);
     backdrop::before(&painter, bench, frame, theme);
     if !bench.live.drawing().standing.is_greyed() {
-        overlay::legend(&painter, bench.live.drawing(), rect, theme);
+        overlay::legend(&painter, bench.live.drawing(), frame, rect, theme);
     }
     match lit {
         Hovered::Obstacle(_) => {}

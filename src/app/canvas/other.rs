@@ -5,15 +5,12 @@ use crate::app::look::Tokens;
 use crate::app::paint::to_screen;
 use crate::app::workbench::Workbench;
 use crate::contact::{Class, Contact};
-use crate::equilibrium::Solved;
 use crate::geometry::Vector;
 use crate::mechanics::Model;
 use crate::units::per_millimetre;
-use crate::view::{Arrowhead, Frame, Geometry, Quantity, Role};
+use crate::view::{Arrowhead, Frame, Quantity};
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
-/// Length of the longest arrow where the live robot has none, over the robot's length.
-const ARROW: f64 = 0.16;
 /// An arrow is no longer than this, over the robot's length: the other model's may be
 /// many times the live one's.
 const LONGEST: f64 = 0.5;
@@ -89,10 +86,10 @@ pub fn forces(
     };
     let mut taken: Vec<Rect> = taken.collect();
     taken.extend(robot_on_screen(bench, frame));
-    let per_multiplier = length_of_multiplier(bench, other);
+    let scale = bench.live.drawing().scale;
     let length = other.problem().length();
     for contact in other.contacts.iter().filter(is_pressing) {
-        let long = (per_multiplier * contact.multiplier).min(LONGEST * length);
+        let long = scale.length(contact.multiplier).min(LONGEST * length);
         let tail = contact.point;
         let tip = tail + long * contact.normal;
         let [from, to] = [tail, tip].map(|point| frame.to_screen(point));
@@ -133,40 +130,6 @@ fn robot_on_screen(bench: &Workbench, frame: &Frame) -> Vec<Rect> {
     let points = backbone.chain(contacts.map(|contact| contact.point));
     let around = |point| Rect::from_center_size(to_screen(frame, point), vec2(2.0, 2.0) * CLEAR);
     points.map(around).collect()
-}
-
-/// Length of an arrow, in metres, for a multiplier of 1 rad²/m: as the live robot's.
-fn length_of_multiplier(bench: &Workbench, other: &Solved) -> f64 {
-    let live = bench.live.solution();
-    let contacts = live.map_or(&[][..], |live| &live.contacts);
-    let greatest = |contacts: &[Contact]| {
-        let pressing = contacts.iter().filter(is_pressing);
-        pressing
-            .max_by(|a, b| a.multiplier.total_cmp(&b.multiplier))
-            .copied()
-    };
-    let arrows =
-        bench
-            .live
-            .drawing()
-            .marks
-            .iter()
-            .filter_map(|mark| match (mark.role, &mark.geometry) {
-                (Role::Force(_), Geometry::Arrow { tail, tip }) => {
-                    Some((*tail, (tip - tail).norm()))
-                }
-                _ => None,
-            });
-    let shown = greatest(contacts).and_then(|live| {
-        let mut arrows = arrows;
-        let (_, long) = arrows.find(|(tail, _)| *tail == live.point)?;
-        Some(long / live.multiplier)
-    });
-    let alone = || {
-        let most = greatest(&other.contacts).map_or(f64::INFINITY, |most| most.multiplier);
-        ARROW * other.problem().length() / most
-    };
-    shown.unwrap_or_else(alone)
 }
 
 /// A quiet label on a plate beyond a point, where there is room; elsewhere none.

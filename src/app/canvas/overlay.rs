@@ -2,17 +2,20 @@
 //! and the legend of the contact scale.
 
 use crate::app::look::{Tokens, contact_scale};
-use crate::app::paint::{flattened, to_screen};
+use crate::app::paint::{arrow, flattened, to_screen};
 use crate::app::words;
 use crate::app::workbench::{Live, Selection};
+use crate::geometry::Vector;
 use crate::units::millimetres;
 use crate::view::{Drawing, Frame, Geometry, Quantity, Role, Theme, clip_half_plane, one_two_five};
-use eframe::egui::{Align2, FontId, Painter, Rect, Shape, Stroke, pos2, vec2};
+use eframe::egui::{Align2, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
 /// Distance of the overlays from the canvas's edges, in points.
 const EDGE: f32 = 16.0;
 /// Length of the scale bar, in points, at most.
 const BAR: f64 = 120.0;
+/// Length of the legend's arrow, in points, at most.
+const KEY: f64 = 56.0;
 /// A canvas that is no wider leaves the legend's title out, in points.
 const NARROW: f32 = 460.0;
 
@@ -110,42 +113,47 @@ fn shown_length(metres: f64) -> String {
     Quantity::fixed(value, decimals, unit).text()
 }
 
-/// The contact scale with its greatest value, lower right; nothing where
-/// nothing presses.
-pub fn legend(painter: &Painter, drawing: &Drawing, rect: Rect, theme: Theme) {
-    let Some(most) = &drawing.most else {
+/// The contact scale with its end and an arrow of a round force, lower right; nothing
+/// where nothing presses.
+pub fn legend(painter: &Painter, drawing: &Drawing, frame: &Frame, rect: Rect, theme: Theme) {
+    if !drawing.presses {
         return;
-    };
+    }
+    let scale = &drawing.scale;
     let tokens = Tokens::of(theme);
     let small = FontId::proportional(12.0);
-    let corner = pos2(rect.right() - EDGE, rect.bottom() - EDGE);
-    let number = painter.text(
-        corner,
-        Align2::RIGHT_BOTTOM,
-        most.value.text(),
-        small.clone(),
-        tokens.text,
-    );
-    let middle = number.center().y;
+    let roomy = rect.width() > NARROW;
+    let long = if roomy { 96.0 } else { 56.0 };
+    let text = |at: Pos2, text: &str, ink| {
+        painter.text(at, Align2::RIGHT_CENTER, text, small.clone(), ink)
+    };
+    let corner = pos2(rect.right() - EDGE, rect.bottom() - EDGE - 8.0);
+    let end = text(corner, &scale.end_written().text(), tokens.text);
     let bar = Rect::from_min_max(
-        pos2(number.left() - 8.0 - 96.0, middle - 4.0),
-        pos2(number.left() - 8.0, middle + 4.0),
+        pos2(end.left() - 8.0 - long, corner.y - 4.0),
+        pos2(end.left() - 8.0, corner.y + 4.0),
     );
     painter.add(contact_scale(bar, theme));
-    let zero = painter.text(
-        bar.left_center() - vec2(8.0, 0.0),
-        Align2::RIGHT_CENTER,
-        "0",
-        small.clone(),
-        tokens.muted,
+    let zero = text(bar.left_center() - vec2(8.0, 0.0), "0", tokens.muted);
+    let key = scale.key(KEY / frame.scale);
+    let value = pos2(zero.left() - 20.0, corner.y);
+    let words = key.value.text();
+    let galley = painter.layout_no_wrap(words.clone(), small.clone(), tokens.text);
+    let tip = Vector::new(
+        f64::from(value.x - galley.size().x) - 8.0,
+        f64::from(corner.y),
     );
-    if rect.width() > NARROW {
-        painter.text(
-            pos2(zero.left() - 8.0, middle),
-            Align2::RIGHT_CENTER,
-            words::capital(most.what),
-            small,
-            tokens.muted,
-        );
+    let tail = tip - Vector::new(key.length * frame.scale, 0.0);
+    // Not over the scale bar.
+    let taken = f64::from(rect.left() + 2.0 * EDGE) + BAR;
+    if tail.x < taken {
+        return;
+    }
+    let style = theme.style(Role::Force(key.share), &drawing.standing);
+    text(value, &words, tokens.text);
+    arrow(painter, [tail, tip], &style);
+    if roomy {
+        let what = pos2(tail.x as f32 - 12.0, corner.y);
+        text(what, &words::capital(scale.what()), tokens.muted);
     }
 }

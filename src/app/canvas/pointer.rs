@@ -144,7 +144,7 @@ fn select(canvas: &mut Canvas, bench: &mut Workbench, under: Target) {
             Selection::Obstacle(index)
         }
         Target::Obstacle(index) => Selection::Obstacle(index),
-        Target::Tip | Target::TipForce | Target::Robot => Selection::Robot,
+        Target::Tip | Target::TipForce | Target::Gravity | Target::Robot => Selection::Robot,
         Target::Nothing => Selection::Nothing,
     };
 }

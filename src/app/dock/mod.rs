@@ -11,7 +11,8 @@ use super::workbench::{Hovered, Playing, Selection, Workbench};
 use crate::forces::{Statics, Window};
 use crate::units::{METRES_PER_MM, millimetres};
 use eframe::egui::{
-    Color32, Frame, Id, Margin, ScrollArea, Stroke, Style, Ui, Visuals, WidgetText,
+    Align, Color32, Frame, Id, Layout, Margin, ScrollArea, Stroke, Style, Ui, Visuals, WidgetText,
+    vec2,
 };
 use egui_tiles::{
     Behavior, SimplificationOptions, TabState, Tile, TileId, Tiles, Tree, UiResponse,
@@ -20,6 +21,8 @@ use serde::{Deserialize, Serialize};
 
 /// A dock that is lower than this, in points, shows one pane at a time.
 const LOW: f32 = 460.0;
+/// Groups are no lower than this, in points: more than there is room for scroll.
+const LEAST: f32 = 190.0;
 
 /// Something in the dock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -91,6 +94,19 @@ impl Forces {
     }
 }
 
+/// Groups of panes below each other.
+fn rows(tree: &Tree<Pane>) -> usize {
+    let root = tree.root.and_then(|root| tree.tiles.get(root));
+    match root {
+        Some(Tile::Container(egui_tiles::Container::Linear(rows)))
+            if rows.dir == egui_tiles::LinearDir::Vertical =>
+        {
+            rows.children.len()
+        }
+        _ => 1,
+    }
+}
+
 /// Where the panes are.
 pub type Arrangement = Tree<Pane>;
 
@@ -100,8 +116,12 @@ impl Dock {
         self.tree = arranged(&groups());
     }
 
-    /// Shows all plots at once, the tables behind the last.
+    /// Shows all plots at once, the tables behind the last, or groups them again.
     pub fn spread(&mut self) {
+        if rows(&self.tree) >= Plot::ALL.len() {
+            self.group();
+            return;
+        }
         let plots = Plot::ALL.map(|plot| vec![Pane::Plot(plot)]);
         let mut groups = plots.to_vec();
         if let Some(last) = groups.last_mut() {
@@ -135,11 +155,16 @@ fn groups() -> [Vec<Pane>; 3] {
     [
         vec![
             Pane::Plot(Plot::Multipliers),
+            Pane::Plot(Plot::Tension),
             Pane::Plot(Plot::Bends),
             Pane::Contacts,
         ],
         vec![Pane::Plot(Plot::Tip), Pane::Plot(Plot::Energy)],
-        vec![Pane::Plot(Plot::Force), Pane::Obstacles],
+        vec![
+            Pane::Plot(Plot::Force),
+            Pane::Plot(Plot::Load),
+            Pane::Obstacles,
+        ],
     ]
 }
 
@@ -178,7 +203,22 @@ pub fn show(ui: &mut Ui, dock: &mut Dock, bench: &mut Workbench) {
     } else {
         &mut dock.tree
     };
-    tree.ui(&mut shown, ui);
+    let least = LEAST * rows(tree) as f32;
+    if ui.available_height() >= least {
+        tree.ui(&mut shown, ui);
+    } else {
+        ScrollArea::vertical()
+            .id_salt("dock")
+            .auto_shrink([false, false])
+            .show(ui, |ui| {
+                let size = vec2(ui.available_width(), least);
+                let layout = Layout::top_down(Align::Min);
+                ui.allocate_ui_with_layout(size, layout, |ui| {
+                    ui.set_min_size(size);
+                    tree.ui(&mut shown, ui);
+                });
+            });
+    }
     let Shown { link, actions, .. } = shown;
     dock.window = link.window;
     heed(bench, link);
@@ -324,6 +364,9 @@ impl Shown<'_> {
             asked: live.problem(),
             solved: &live.solved(),
             path: live.path().map(|path| &**path),
+            walked: self.bench.load_trace.steps(),
+            cable: self.bench.cable(),
+            scale: live.drawing().scale,
             window: self.link.window,
             shape_generation: live.revision(),
             path_generation: live.path_revision(),

@@ -159,10 +159,6 @@ fn contact(
     let Some(contact) = shape.solved.contacts.get(index) else {
         return;
     };
-    let all = shape.solved.contacts.iter();
-    let most = all
-        .map(|it| it.multiplier)
-        .fold(f64::MIN_POSITIVE, f64::max);
     let part = words::capital(&part_name(
         shape.solved.problem().robot(),
         contact.line,
@@ -184,7 +180,11 @@ fn contact(
     places.text(ui, rect, 0, part);
     places.text(ui, rect, 1, name);
     places.text(ui, rect, 2, class);
-    bar(ui, places.cell(rect, 3), contact.multiplier / most);
+    bar(
+        ui,
+        places.cell(rect, 3),
+        bench.live.drawing().scale.of(contact),
+    );
     let multiplier = Quantity::significant(per_millimetre(contact.multiplier), "");
     places.text(ui, rect, 3, multiplier.digits);
     let clearance = Quantity::order(millimetres(contact.clearance), "");

@@ -3,7 +3,7 @@
 
 use crate::app::look::{Tokens, fits_fingers, icon_font, icons};
 use crate::app::words;
-use crate::app::workbench::{Held, Hovered, Playing, Workbench};
+use crate::app::workbench::{Held, Hovered, Workbench};
 use crate::equilibrium::{Event, Occurrence};
 use crate::units::{metres, millimetres};
 use eframe::egui::{
@@ -28,13 +28,9 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
         Held::Load => load_slider(ui, bench, cable),
         Held::Pull => pull_slider(ui, bench, cable),
     };
-    // The path is that of the first cable.
-    if cable != 0 {
-        return;
-    }
     let loads = match held {
         Held::Pull => None,
-        Held::Load => match bench.loads() {
+        Held::Load => match bench.loads_along() {
             Some(loads) => Some(loads),
             None => return,
         },
@@ -50,7 +46,11 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
         ends.min + share as f32 * (ends.max - ends.min)
     };
     marks(ui, bench, response.rect, ends, at);
-    if let Hovered::Pull(pull) = bench.hovered {
+    ghost(ui, bench, &response, span, ends);
+    // Pulls that are hovered elsewhere are the first cable's.
+    if let Hovered::Pull(pull) = bench.hovered
+        && cable == 0
+    {
         let x = at(pull);
         if ends.contains(x) {
             let stroke = Stroke::new(1.0, Tokens::in_ui(ui).accent);
@@ -88,14 +88,31 @@ fn load_slider(ui: &mut Ui, bench: &mut Workbench, cable: usize) -> ((f64, f64),
     (span, response)
 }
 
+/// A ghost of the handle where the robot was brought to, while more is asked.
+fn ghost(ui: &Ui, bench: &Workbench, slider: &Response, span: (f64, f64), ends: Rangef) {
+    let Some(reached) = bench.reached(bench.cable()) else {
+        return;
+    };
+    let share = (reached - span.0) / (span.1 - span.0).max(f64::MIN_POSITIVE);
+    let x = ends.min + share as f32 * (ends.max - ends.min);
+    if ends.contains(x) {
+        let tokens = Tokens::in_ui(ui);
+        let centre = pos2(x, slider.rect.center().y);
+        let radius = 0.36 * slider.rect.height();
+        let stroke = Stroke::new(1.5, tokens.warning);
+        ui.painter()
+            .circle(centre, radius, tokens.panel.gamma_multiply(0.6), stroke);
+    }
+}
+
 /// The marks of the path, if it is known, below the rail; each tells what it
 /// is under the pointer.
 fn marks(ui: &Ui, bench: &mut Workbench, rect: Rect, ends: Rangef, at: impl Fn(f64) -> f32) {
     let tokens = Tokens::in_ui(ui);
-    let Some(path) = bench.live.path().map(std::sync::Arc::clone) else {
+    let Some((path, current)) = bench.path_along() else {
         return;
     };
-    let current = bench.live.path_is_current();
+    let cable = bench.cable();
     if let Some(end) = &path.end
         && at(end.pull) < ends.max
     {
@@ -116,12 +133,12 @@ fn marks(ui: &Ui, bench: &mut Workbench, rect: Rect, ends: Rangef, at: impl Fn(f
         let spot = Rect::from_center_size(foot, vec2(10.0, 12.0));
         let id = ui.scope_id().with(("event", index));
         let response = ui.interact(spot, id, Sense::click());
-        if response.hovered() {
+        if response.hovered() && cable == 0 {
             bench.hovering = Hovered::Pull(event.pull);
         }
         let text = words::event(event, &bench.document.scene);
         if response.on_hover_text(text).clicked() {
-            bench.set_pull(millimetres(event.pull), Playing::GoesOn);
+            bench.go_along(millimetres(event.pull));
         }
     }
 }

@@ -5,7 +5,7 @@
 use super::status::{self, StatusChip};
 use super::track;
 use crate::app::commands::Command;
-use crate::app::look::{Segment, icon_button, icons, segments};
+use crate::app::look::{Segment, Tokens, icon_button, icons, segments};
 use crate::app::widgets::{button, row};
 use crate::app::workbench::{Held, Transport, Workbench};
 use crate::mechanics::Model;
@@ -52,7 +52,7 @@ pub fn show(ui: &mut Ui, chip: &mut StatusChip, bench: &mut Workbench) {
             }
             cables(ui, bench);
             actuation(ui, bench);
-            if bar >= FOUND_TOO {
+            if !short_of(ui, bench, bar) && bar >= FOUND_TOO {
                 found(ui, bench);
             }
             if !narrow {
@@ -188,6 +188,40 @@ fn actuation(ui: &mut Ui, bench: &mut Workbench) {
         Held::Load => load(ui, bench),
         Held::Pull => pull(ui, bench),
     }
+}
+
+/// How far the robot was brought of what is asked, where it gets no farther. Whether
+/// it is so.
+fn short_of(ui: &mut Ui, bench: &Workbench, bar: f32) -> bool {
+    let cable = bench.cable();
+    let Some(reached) = bench.reached(cable) else {
+        return false;
+    };
+    let (asked, reached) = match bench.held(cable) {
+        Held::Pull => [bench.pull_mm_of(cable), reached]
+            .map(|mm| Quantity::fixed(mm, 2, "mm"))
+            .into(),
+        Held::Load => [bench.load_g(cable).unwrap_or_default(), reached]
+            .map(|g| Quantity::fixed(g, 1, "g"))
+            .into(),
+    };
+    let told = format!("Asked {}, reached {}", asked.text(), reached.text());
+    let shown = match bar < SPARE {
+        true => reached.text(),
+        false => format!("reached {}", reached.text()),
+    };
+    let warning = Tokens::in_ui(ui).warning;
+    let response = ui.label(RichText::new(shown).small().color(warning));
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &told));
+    let why = bench
+        .live
+        .solution()
+        .map(|it| crate::view::reason(it).to_string());
+    response.on_hover_text(match why {
+        Some(why) => format!("{told}. {why}."),
+        None => told,
+    });
+    true
 }
 
 /// The other quantity of the cable, as the solver finds it.

@@ -8,7 +8,7 @@ use super::pane::{
     ordinate,
 };
 use crate::app::look::{Tokens, theme_of};
-use crate::app::workbench::Hovered;
+use crate::app::workbench::{Hovered, nodes_of_stretch};
 use crate::units::degrees;
 use crate::view::{Axis, Chart, CurveStyle, Quantity, Series};
 use eframe::egui::{Align2, Rect, Ui, vec2};
@@ -73,11 +73,15 @@ pub(super) fn show(
         let segment = (value.round().max(1.0) as usize).min(segments);
         link.hovering = Hovered::Node(segment);
     }
-    if let Some(segment) = segment {
-        let (left, right) = (
-            surface.x(segment as f64 - 0.5),
-            surface.x(segment as f64 + 0.5),
-        );
+    let lit = match link.hovered {
+        Hovered::Stretch { stretch, .. } => {
+            let nodes = nodes_of_stretch(data.problem(), stretch);
+            Some([nodes.start + 1, nodes.end])
+        }
+        _ => segment.map(|segment| [segment, segment]),
+    };
+    if let Some([first, last]) = lit {
+        let (left, right) = (surface.x(first as f64 - 0.5), surface.x(last as f64 + 0.5));
         let band = Rect::from_x_y_ranges(left..=right.max(left + 2.0), frame.y_range());
         painter.rect_filled(band, 0.0, tokens.accent.gamma_multiply(0.12));
     }

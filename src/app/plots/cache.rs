@@ -2,9 +2,10 @@
 
 use super::data::PlotData;
 use super::marks::{self, Happening};
+use crate::app::workbench::nodes_of_stretch;
 use crate::contact::Class;
 use crate::explore::{LoadCurve, Path, usual_end};
-use crate::forces::{Rates, Sweep, VirtualWork, VirtualWorkError, Window};
+use crate::forces::{Rates, Sections, Sweep, VirtualWork, VirtualWorkError, Window};
 use crate::robot::Line;
 use crate::scene::ForceReading;
 use crate::units::{degrees, grams, millimetres, newtons, per_millimetre};
@@ -45,6 +46,36 @@ pub(super) struct Shape {
     pub shears: Vec<PlotPoint>,
     /// The bend of the free robot, in degrees.
     pub free_bend: f64,
+    /// How the cables pull, in their order.
+    pub pulls: Vec<Pull>,
+}
+
+/// How a cable pulls along the robot.
+#[derive(Default)]
+pub(super) struct Pull {
+    /// The tension of each stretch, base first, in N or, where the stiffness is not
+    /// known, in rad²/m.
+    pub levels: Vec<f64>,
+    /// Disks that a stretch spans: less than one of a link in the paper's model.
+    pub per_stretch: f64,
+    pub is_slack: bool,
+}
+
+impl Pull {
+    /// The disks, from 0 at the base, that a stretch is between.
+    pub fn ends(&self, stretch: usize) -> [f64; 2] {
+        [stretch, stretch + 1].map(|end| end as f64 * self.per_stretch)
+    }
+
+    /// The corners of a curve that is level along each stretch.
+    pub fn steps(&self, factor: f64) -> Vec<PlotPoint> {
+        let levels = self.levels.iter().enumerate();
+        let corners = levels.flat_map(|(stretch, level)| {
+            self.ends(stretch)
+                .map(|end| PlotPoint::new(end, factor * level))
+        });
+        corners.collect()
+    }
 }
 
 /// The side of the robot that a contact is on.
@@ -77,7 +108,7 @@ pub(super) struct Stem {
     pub part: &'static str,
     /// In rad²/mm; 0 for a contact that grazes.
     pub multiplier: f64,
-    /// As a share of the greatest.
+    /// As a share of the scale that forces are drawn by.
     pub share: f64,
     pub twin: Twin,
 }
@@ -131,6 +162,12 @@ pub(super) struct Forces {
     pub curve: Option<LoadCurve>,
     /// Its total, by smooth pieces.
     pub total: Vec<Vec<PlotPoint>>,
+    /// The first cable's tension over its pull, in mm, in N or, where the stiffness is
+    /// not known, in rad²/m; by smooth pieces.
+    pub tension: Vec<Vec<PlotPoint>>,
+    /// The greatest tension before the last few shapes of a branch, which need more
+    /// without bound.
+    pub widest_tension: f64,
     /// By virtual work, where a reading fixes μ.
     pub work: Option<Result<VirtualWork, VirtualWorkError>>,
     /// What is outside the estimate's assumptions, a sentence each.
@@ -207,10 +244,9 @@ impl Shape {
                     Line::DiskFace => "disk",
                 },
                 multiplier,
-                share: if self.greatest > 0.0 {
-                    multiplier / self.greatest
-                } else {
-                    0.0
+                share: match contact.class {
+                    Class::Pressing => data.scale.of(contact),
+                    Class::Grazing => 0.0,
                 },
                 twin: Twin::None,
             });
@@ -225,7 +261,28 @@ impl Shape {
         steps(&mut self.bends, &solution.bends);
         steps(&mut self.shears, &solution.shears);
         self.free_bend = degrees(data.free_bend());
+        self.pulls = pulls(data);
     }
+}
+
+/// How the cables pull; nothing without a shape.
+fn pulls(data: &PlotData<'_>) -> Vec<Pull> {
+    let (solved, problem) = (data.solved, data.problem());
+    if solved.nodes.is_empty() {
+        return Vec::new();
+    }
+    let per_bend = data.stiffness().map_or(1.0, |ei| ei.per_bend(problem));
+    let tensions = Sections::of(solved, per_bend).tensions;
+    let bay = problem.robot().segments_per_bay as f64;
+    let per_stretch = nodes_of_stretch(problem, 0).len() as f64 / bay;
+    let tensions = tensions.into_iter().zip(&solved.cables);
+    tensions
+        .map(|(levels, state)| Pull {
+            levels,
+            per_stretch,
+            is_slack: state.is_slack,
+        })
+        .collect()
 }
 
 /// The corners of a curve that is level over each segment, in degrees.
@@ -275,6 +332,12 @@ impl Fits {
 }
 
 impl Forces {
+    /// The first cable's tension at a pull in mm; after a jump, where there are two.
+    pub fn tension_at(&self, pull: f64) -> Option<f64> {
+        let mut pieces = self.tension.iter().rev();
+        pieces.find_map(|piece| value_at(piece, pull))
+    }
+
     fn of(data: &PlotData<'_>, path: Option<&Path>, fits: &Fits) -> Self {
         let curve = match (path, data.stiffness()) {
             (Some(path), Some(stiffness)) => Some(LoadCurve::of(path, data.problem(), stiffness)),
@@ -289,6 +352,17 @@ impl Forces {
                 .map(|point| PlotPoint::new(grams(point.load), grams(point.total)))
                 .collect()
         });
+        let per_bend = data.stiffness();
+        let per_bend = per_bend.map_or(1.0, |ei| ei.per_bend(data.problem()));
+        let pieces = path.into_iter().flat_map(Path::pieces);
+        let tension: Vec<Vec<PlotPoint>> = pieces
+            .map(|piece| {
+                let states = piece.iter();
+                states
+                    .map(|s| PlotPoint::new(millimetres(s.pull), per_bend * s.energy_slope))
+                    .collect()
+            })
+            .collect();
         let robot = data.problem().robot();
         let reading = data.calibration().map(|index| data.readings()[index]);
         let work = reading.zip(fits.free).map(|(reading, rates)| {
@@ -310,6 +384,8 @@ impl Forces {
         Self {
             total: total.collect(),
             widest: if read > 0.0 { read } else { reached },
+            widest_tension: usual_end(tension.iter().flatten().map(|point| point.y)),
+            tension,
             work,
             caveats,
             curve,

@@ -1,13 +1,14 @@
 //! What there is to plot, and what a hand on a plot asks for: plain data, with
 //! no pane and no picture.
 
-use crate::app::workbench::Hovered;
+use crate::app::workbench::{Hovered, Step};
 use crate::equilibrium::Solved;
 use crate::explore::Path;
 use crate::forces::{Stiffness, Window};
 use crate::math::within;
 use crate::mechanics::Problem;
 use crate::scene::{ForceReading, Scene};
+use crate::view::ForceScale;
 
 /// A plot of the dock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -22,16 +23,22 @@ pub enum Plot {
     Energy,
     /// Bends and shears by segment.
     Bends,
+    /// The cables' tension, stretch by stretch.
+    Tension,
+    /// A cable's load over its pull, as a hand went.
+    Load,
 }
 
 impl Plot {
     /// All of them, in the order of the dock.
-    pub const ALL: [Plot; 5] = [
+    pub const ALL: [Plot; 7] = [
         Plot::Multipliers,
         Plot::Tip,
         Plot::Force,
         Plot::Energy,
         Plot::Bends,
+        Plot::Tension,
+        Plot::Load,
     ];
 
     /// Its name on its tab.
@@ -42,6 +49,8 @@ impl Plot {
             Plot::Force => "Force",
             Plot::Energy => "Energy",
             Plot::Bends => "Bends",
+            Plot::Tension => "Tension",
+            Plot::Load => "Load over pull",
         }
     }
 
@@ -53,6 +62,8 @@ impl Plot {
             Plot::Force => "force",
             Plot::Energy => "energy",
             Plot::Bends => "bends",
+            Plot::Tension => "tension",
+            Plot::Load => "load",
         }
     }
 }
@@ -68,6 +79,12 @@ pub struct PlotData<'a> {
     pub solved: &'a Solved,
     /// The robot along its pull, as far as it is known.
     pub path: Option<&'a Path>,
+    /// How the cables were loaded.
+    pub walked: &'a [Step],
+    /// The cable that is set, from 0.
+    pub cable: usize,
+    /// What forces are drawn by.
+    pub scale: ForceScale,
     /// The pulls that lines are fitted on.
     pub window: Window,
     /// Changes whenever the problem or the solution does.

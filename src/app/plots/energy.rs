@@ -12,7 +12,7 @@ use super::pane::{
 use crate::app::look::{Tokens, theme_of};
 use crate::app::words;
 use crate::app::workbench::Hovered;
-use crate::units::{millimetres, per_millimetre};
+use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::{Axis, Chart, CurveStyle, Quantity, Series};
 use eframe::egui::{Ui, vec2};
 
@@ -96,12 +96,25 @@ pub(super) fn show(
 }
 
 pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {
-    table.write_record([
+    let (per_bend, load) = match data.stiffness() {
+        Some(stiffness) => (grams(stiffness.per_bend(data.problem())), "load_g"),
+        None => (per_millimetre(1.0), "load_rad2_per_mm"),
+    };
+    // Of one cable the pull is said already, and the slope is its load.
+    let count = match data.problem().drive().cables.len() {
+        1 => 0,
+        count => count,
+    };
+    let cables = (1..=count)
+        .flat_map(|cable| ["pull_mm", load].map(|column| format!("cable_{cable}_{column}")));
+    let heads = [
         "pull_mm",
         "energy_rad2",
         "energy_slope_rad2_per_mm",
         "event",
-    ])?;
+    ];
+    table.write_record(heads.map(str::to_owned).into_iter().chain(cables))?;
+    let nothing = vec![String::new(); 2 * count];
     let Some(path) = data.path else {
         return Ok(());
     };
@@ -110,7 +123,8 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
         while let Some(event) = events.next_if(|event| event.pull <= before) {
             let pull = cell(millimetres(event.pull));
             let what = words::occurrence(&event.what, data.scene);
-            table.write_record([pull.as_str(), "", "", what.as_str()])?;
+            let row = [pull, String::new(), String::new(), what];
+            table.write_record(row.iter().chain(&nothing))?;
         }
         Ok(())
     };
@@ -118,7 +132,13 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
         note(table, state.pull)?;
         let slope = per_millimetre(state.energy_slope);
         let numbers = [millimetres(state.pull), state.energy, slope].map(cell);
-        table.write_record(numbers.iter().map(String::as_str).chain([""]))?;
+        let cables = state
+            .cables
+            .iter()
+            .take(count)
+            .flat_map(|cable| [millimetres(cable.pull), per_bend * cable.tension].map(cell));
+        let row = numbers.into_iter().chain([String::new()]).chain(cables);
+        table.write_record(row)?;
     }
     note(table, f64::INFINITY)
 }

@@ -2,7 +2,7 @@
 
 use super::cache::PlotCache;
 use super::data::{Plot, PlotData};
-use super::{bends, energy, force, multipliers, tip};
+use super::{bends, energy, force, load, multipliers, tension, tip};
 use crate::report::chart::{ChartError, svg_column};
 use crate::view::Chart;
 
@@ -19,6 +19,12 @@ pub fn csv(plot: Plot, data: &PlotData<'_>) -> String {
         }
         Plot::Energy => energy::csv(data, &mut table),
         Plot::Bends => bends::csv(data, &mut table),
+        Plot::Load => load::csv(data, &mut table),
+        Plot::Tension => {
+            let mut cache = PlotCache::default();
+            cache.refresh(data);
+            tension::csv(data, &cache, &mut table)
+        }
     };
     // A vector takes all that is written to it, and rows are of one length.
     debug_assert!(written.is_ok(), "{written:?}");
@@ -51,5 +57,7 @@ fn charts(plot: Plot, data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
         Plot::Force => force::charts(data, cache),
         Plot::Energy => energy::charts(cache),
         Plot::Bends => bends::charts(cache),
+        Plot::Load => load::charts(data, cache),
+        Plot::Tension => tension::charts(data, cache),
     }
 }

@@ -7,6 +7,7 @@ use crate::app::look::{Tokens, icon_font, icons};
 use crate::app::words;
 use crate::equilibrium::{Occurrence, Status};
 use crate::explore::Path;
+use crate::robot::disk_name;
 use crate::units::millimetres;
 use crate::view::Quantity;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, pos2};
@@ -43,14 +44,7 @@ const NEAR: f32 = 6.0;
 pub(super) fn of(path: &Path, data: &PlotData<'_>) -> Vec<Happening> {
     let robot = data.problem().robot();
     let obstacle = |index: usize| words::obstacle_of(data.scene, index);
-    let disk = |node: usize| {
-        let bay = robot.segments_per_bay;
-        if robot.has_disk(node) {
-            format!("disk {}", node / bay + 1)
-        } else {
-            format!("disks {}–{}", node / bay + 1, node / bay + 2)
-        }
-    };
+    let disk = |node: usize| disk_name(robot, node);
     let events = path.events.iter().filter_map(|event| {
         let (kind, short) = match event.what {
             Occurrence::ContactMade {

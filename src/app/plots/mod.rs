@@ -1,5 +1,6 @@
 //! The dock's plots: what presses at which node, the tip and the energy along
-//! the pull, force against load, bends by segment. They draw what is known and
+//! the pull, force against load, bends by segment, the cables' tension, their
+//! loads against their pulls. They draw what is known and
 //! change nothing: what a hand does on them is left in a [`Link`], what is to
 //! be saved in a [`PlotAction`].
 //!
@@ -14,10 +15,12 @@ pub mod data;
 mod energy;
 mod export;
 mod force;
+mod load;
 mod marks;
 mod multipliers;
 mod over_pull;
 mod pane;
+mod tension;
 mod tip;
 
 pub use cache::PlotCache;
@@ -43,6 +46,8 @@ pub fn show(
         Plot::Force => force::show(ui, data, cache, link),
         Plot::Energy => energy::show(ui, data, cache, link),
         Plot::Bends => bends::show(ui, data, cache, link),
+        Plot::Load => load::show(ui, data, cache, link),
+        Plot::Tension => tension::show(ui, data, cache, link),
     };
     match asked? {
         Asked::Csv => Some(saved(plot, "csv", csv(plot, data))),

@@ -9,9 +9,9 @@ use super::pane::{
 };
 use crate::app::look::{Tokens, theme_of};
 use crate::app::words;
-use crate::app::workbench::Hovered;
+use crate::app::workbench::{Hovered, nodes_of_stretch};
 use crate::contact::Class;
-use crate::robot::part_name;
+use crate::robot::{disk_name, part_name};
 use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::{Axis, Chart, CurveStyle, Quantity, Series, Theme, superscript};
 use eframe::egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
@@ -23,7 +23,7 @@ const FULL: f64 = 0.95;
 
 /// The unit of the axis: a power of a thousand that leaves one to three digits
 /// before the point.
-fn scale(greatest: f64) -> (f64, String) {
+pub(super) fn scale(greatest: f64) -> (f64, String) {
     if greatest <= 0.0 {
         return (1.0, "rad²/mm".to_owned());
     }
@@ -37,7 +37,7 @@ fn scale(greatest: f64) -> (f64, String) {
 
 /// The least of 1, 1.5, 2, 3, 5 and 8 times a power of ten that a value fits under,
 /// so that stems grow with the pull and the axis changes now and then only.
-fn ceiling(value: f64) -> f64 {
+pub(super) fn ceiling(value: f64) -> f64 {
     if value <= 0.0 {
         return 1.0;
     }
@@ -55,9 +55,19 @@ pub(super) fn show(
 ) -> Option<Asked> {
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
     let shape = &cache.shape;
-    let (factor, unit) = scale(shape.greatest);
+    // In the paper's units where grams are not known.
+    let (factor, unit) = match data.stiffness() {
+        Some(stiffness) => (
+            grams(stiffness.per_bend(data.problem())) / per_millimetre(1.0),
+            "g".to_owned(),
+        ),
+        None => scale(shape.greatest),
+    };
     let multiplier = Quantities {
-        name: "Multiplier λ",
+        name: match data.stiffness() {
+            Some(_) => "Contact force F",
+            None => "Multiplier λ",
+        },
         unit: &unit,
     };
     let reading = reading(data, link, &tokens);
@@ -148,12 +158,7 @@ fn reading(data: &PlotData<'_>, link: &Link, tokens: &Tokens) -> Text {
         }
         Hovered::Node(node) if node <= robot.segments => {
             let text = Text::of(&format!("node {node}"), tokens.muted);
-            if robot.has_disk(node) {
-                let disk = node / robot.segments_per_bay + 1;
-                text.and(&format!(", disk {disk}"), tokens.muted)
-            } else {
-                text
-            }
+            text.and(&format!(", {}", disk_name(robot, node)), tokens.muted)
         }
         _ => Text::default(),
     }
@@ -164,10 +169,20 @@ fn nodes(surface: &Surface<'_>, data: &PlotData<'_>, link: &Link, tokens: &Token
     let robot = data.problem().robot();
     let frame = surface.frame();
     let spacing = surface.x(1.0) - surface.x(0.0);
-    if let Hovered::Node(node) = link.hovered {
-        let half = (0.5 * spacing).max(1.5);
-        let x = surface.x(node as f64);
-        let band = Rect::from_x_y_ranges(x - half..=x + half, frame.y_range());
+    let half = (0.5 * spacing).max(1.5);
+    let lit = match link.hovered {
+        Hovered::Node(node) => {
+            let x = surface.x(node as f64);
+            Some([x - half, x + half])
+        }
+        Hovered::Stretch { stretch, .. } => {
+            let nodes = nodes_of_stretch(data.problem(), stretch);
+            Some([nodes.start, nodes.end].map(|node| surface.x(node as f64)))
+        }
+        _ => None,
+    };
+    if let Some([left, right]) = lit {
+        let band = Rect::from_x_y_ranges(left..=right, frame.y_range());
         surface
             .painter
             .rect_filled(band, 0.0, tokens.accent.gamma_multiply(0.10));
@@ -217,9 +232,9 @@ fn draw(
         return;
     }
     let ink = heat(theme, stem.share);
-    // The bright end of the scale would not stand out by day.
+    // The weak end of the scale would not stand out by day.
     let edge = match theme {
-        Theme::Light => heat(theme, 0.0),
+        Theme::Light => heat(theme, 1.0),
         Theme::Dark => ink,
     };
     surface.painter.line_segment(

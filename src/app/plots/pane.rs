@@ -44,7 +44,7 @@ pub(super) fn heat(theme: Theme, share: f64) -> Color32 {
 }
 
 /// Text in pieces of their own colours, at the plots' size.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Text {
     job: LayoutJob,
     /// Where values end: the sections and bytes up to there.
@@ -252,19 +252,35 @@ pub(super) enum Whole {
 /// of ten are rounded, to 1e-16 each.
 const SAME_STEP: f64 = 1e-9;
 
+/// An axis has so many marks, if need be with less room for each …
+const FEWEST: usize = 3;
+/// … but no less than this, over what is usual.
+const TIGHT: f64 = 0.5;
+
 /// Marks at round numbers, the finest of 1, 2 and 5 times a power of ten that
-/// leaves each `room` times the least room.
+/// leaves each `room` times the least room, or the least that there are enough of.
 fn round_marks(input: &GridInput, room: f64, whole: Whole) -> Vec<GridMark> {
     let least = room * input.base_step_size;
     if !(least > 0.0 && least.is_finite()) {
         return Vec::new();
     }
     let power = 10f64.powf(least.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0]
-        .map(|factor| factor * power)
-        .into_iter()
-        .find(|step| *step > least * (1.0 + SAME_STEP));
-    let mut step = step.unwrap_or(10.0 * power);
+    let steps = [0.2, 0.5, 1.0, 2.0, 5.0, 10.0].map(|factor| factor * power);
+    let usual = steps
+        .iter()
+        .position(|step| *step > least * (1.0 + SAME_STEP))
+        .unwrap_or(steps.len() - 1);
+    let count = |step: f64| {
+        let (first, last) = (input.bounds.0 / step, input.bounds.1 / step);
+        (last.floor() - first.ceil() + 1.0).max(0.0) as usize
+    };
+    let finer = steps[..=usual].iter().rev();
+    let fine: Vec<f64> = finer
+        .copied()
+        .take_while(|step| *step >= TIGHT * least)
+        .collect();
+    let enough = fine.iter().find(|step| count(**step) >= FEWEST);
+    let mut step = *enough.or(fine.last()).unwrap_or(&steps[usual]);
     if whole == Whole::Yes {
         step = step.max(1.0);
     }
@@ -398,4 +414,31 @@ pub(super) fn named(response: &Response, name: &str) {
 /// A number in a table, with all its digits.
 pub(super) fn cell(value: f64) -> String {
     unsigned_zero(value).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_axis_has_three_marks_where_there_is_room_for_them() {
+        let marks = |bounds: (f64, f64), points: f64| {
+            let base_step_size = 34.0 * (bounds.1 - bounds.0) / points;
+            let input = GridInput {
+                bounds,
+                base_step_size,
+            };
+            let marks = round_marks(&input, 1.0, Whole::No);
+            marks.iter().map(|mark| mark.value).collect::<Vec<_>>()
+        };
+        // The usual ones where they are enough.
+        assert_eq!(marks((0.0, 10.0), 200.0), [0.0, 2.0, 4.0, 6.0, 8.0, 10.0]);
+        // Nearer to each other on a plot that is low.
+        for bounds in [(-12.0, 55.0), (-40.0, 3.0), (0.0, 1.9), (0.3, 0.9)] {
+            let found = marks(bounds, 80.0);
+            assert!(found.len() >= FEWEST, "{bounds:?} {found:?}");
+        }
+        // Not on one that has no room for their names.
+        assert!(marks((0.0, 1.9), 20.0).len() < FEWEST);
+    }
 }

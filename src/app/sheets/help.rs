@@ -67,7 +67,7 @@ const GESTURES: &[(&str, &str)] = &[
     ("Move the view", "drag, or two fingers"),
     ("Zoom", "wheel, or pinch"),
     ("Select", "click or tap"),
-    ("Pull the cable", "drag the slider below"),
+    ("Pull the cable", "drag the tip, or the slider below"),
     ("Change a number", "drag it, or click and type"),
     ("Open or import", "drop a file on the window"),
     ("Open a link", "paste it"),
@@ -103,7 +103,10 @@ fn colours(ui: &mut Ui) {
             Swatch::Line(tokens.accent, 2.0),
             "The cable, and whatever can be touched",
         ),
-        (Swatch::Scale, "Contacts: the brighter, the harder"),
+        (
+            Swatch::Scale,
+            "Contacts: the stronger the colour, the harder",
+        ),
         (
             Swatch::Line(tokens.muted.gamma_multiply(0.5), 3.0),
             "A shape that is not certified, with its reason",

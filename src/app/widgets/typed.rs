@@ -1,5 +1,5 @@
-//! Numbers as people type them: with a decimal comma, with a unit, or not a
-//! number at all. Knows no field and no range.
+//! Numbers as people type them: with a decimal comma, with a unit, to be reckoned
+//! out, or not a number at all. Knows no field and no range.
 
 use std::fmt;
 
@@ -89,7 +89,11 @@ impl Kind {
         }
         let unit = self.units().iter().find(|unit| text.ends_with(unit.sign));
         let digits = unit.map_or(text, |unit| text[..text.len() - unit.sign.len()].trim_end());
-        let Some(decimal) = Decimal::of(digits) else {
+        let worked_out = || {
+            let value = reckoned(digits)?;
+            Decimal::of(&value.to_string())
+        };
+        let Some(decimal) = Decimal::of(digits).or_else(worked_out) else {
             // A number with something behind it is another slip than no number.
             let end = digits.find(|c: char| c.is_alphabetic() && c != 'e' && c != 'E');
             let (number, rest) = digits.split_at(end.unwrap_or(digits.len()));
@@ -110,6 +114,50 @@ impl Kind {
             return Err(Typo::NotWhole(text.to_owned()));
         }
         Ok(value)
+    }
+}
+
+/// What a sum of products comes to, such as `180/9 + 2*6`; `None` where a text is none.
+fn reckoned(text: &str) -> Option<f64> {
+    let text = text.replace(['−', '–'], "-").replace(['×', '·'], "*");
+    // A sign behind a number joins two terms.
+    let mut terms = vec![(1.0, String::new())];
+    for c in text.chars() {
+        let before = terms
+            .last()
+            .and_then(|(_, term)| term.trim_end().chars().last());
+        let joins = before.is_some_and(|c| c.is_ascii_digit() || c == '.' || c == ',');
+        match (c, terms.last_mut()) {
+            ('+', _) if joins => terms.push((1.0, String::new())),
+            ('-', _) if joins => terms.push((-1.0, String::new())),
+            (c, Some((_, term))) => term.push(c),
+            (_, None) => {}
+        }
+    }
+    let values = terms.iter().map(|(sign, term)| Some(sign * product(term)?));
+    let value: f64 = values.sum::<Option<f64>>()?;
+    value.is_finite().then_some(value)
+}
+
+/// What factors and divisors come to, from left to right.
+fn product(term: &str) -> Option<f64> {
+    let number = |text: &str| Some(Decimal::of(text.trim())?.times_power(0));
+    let mut value = None;
+    let mut rest = term;
+    let mut divides = false;
+    loop {
+        let end = rest.find(['*', '/']);
+        let factor = number(&rest[..end.unwrap_or(rest.len())])?;
+        value = Some(match (value, divides) {
+            (None, _) => factor,
+            (Some(value), false) => value * factor,
+            (Some(value), true) => value / factor,
+        });
+        let Some(end) = end else {
+            return value;
+        };
+        divides = rest[end..].starts_with('/');
+        rest = &rest[end + 1..];
     }
 }
 
@@ -203,6 +251,24 @@ mod tests {
         check(Kind::Angle, "0.5 rad", 0.5_f64.to_degrees());
         check(Kind::Count, "18", 18.0);
         check(Kind::Count, "1e3", 1000.0);
+    }
+
+    #[test]
+    fn sums_and_products_are_reckoned_out() {
+        let check = |kind: Kind, text, expect| assert_eq!(kind.parse(text), Ok(expect), "{text}");
+        check(Kind::Length, "2*6", 12.0);
+        check(Kind::Length, "180 / 9", 20.0);
+        check(Kind::Length, "1,5 × 2 cm", 30.0);
+        check(Kind::Length, "10 + 2*6 − 3", 19.0);
+        check(Kind::Length, "-4+1e-1*10", -3.0);
+        check(Kind::Length, "2*-3", -6.0);
+        check(Kind::Angle, "360/7*7", 360.0);
+        check(Kind::Count, "9*2", 18.0);
+        for text in ["2*", "/3", "1/0", "2**3", "1+", "2*x"] {
+            assert!(Kind::Length.parse(text).is_err(), "{text}");
+        }
+        let expected = Err(Typo::NotWhole("9/2".to_owned()));
+        assert_eq!(Kind::Count.parse("9/2"), expected);
     }
 
     #[test]

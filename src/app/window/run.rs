@@ -9,7 +9,7 @@ use crate::app::panels::settings_id;
 use crate::app::platform::{Errand, PictureKind};
 use crate::app::shapes::copied;
 use crate::app::sheets::Sheet;
-use crate::app::workbench::{Held, Intent, Rescale, Selection, Views};
+use crate::app::workbench::{Held, Intent, Rescale, Selection, Views, Way};
 use crate::scene::Obstacle;
 use eframe::egui::{Context, Popup, Theme, ThemePreference, ViewportCommand};
 
@@ -77,6 +77,8 @@ impl Sinew {
             Command::Tool(tool) => self.canvas.take_tool(tool),
             Command::Play => bench.play_or_pause(),
             Command::FromStraight => bench.restart(),
+            Command::NextMark => bench.go_to_mark(Way::Up),
+            Command::PreviousMark => bench.go_to_mark(Way::Down),
             Command::Load => {
                 let cable = bench.cable();
                 let other = match bench.held(cable) {

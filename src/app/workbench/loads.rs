@@ -19,7 +19,12 @@ impl Loads {
     /// `None` where the stiffness is not known, or the path not yet.
     pub fn of(document: &Document, live: &Live) -> Option<Self> {
         let newtons = document.newtons_per_multiplier()?;
-        let path = Arc::clone(live.path()?);
+        Self::on(Arc::clone(live.path()?), newtons)
+    }
+
+    /// Loads along a path, of so many newtons for a multiplier of 1 rad²/m; `None`
+    /// where it has no states.
+    pub(super) fn on(path: Arc<Path>, newtons: f64) -> Option<Self> {
         path.range()?;
         Some(Self { path, newtons })
     }

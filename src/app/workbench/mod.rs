@@ -10,10 +10,13 @@
 //! left in [`Workbench::commands`] until the end of the frame.
 
 mod allowed;
+mod along;
 mod document;
 mod files;
+mod held_scale;
 mod history;
 mod live;
+mod load_trace;
 mod loads;
 mod measuring;
 mod notices;
@@ -28,10 +31,13 @@ mod transport;
 mod trouble;
 mod unsaved;
 
+pub use along::{Along, Way};
 pub use document::Document;
 pub use files::{Arrival, Asked, Files, Intent, Saved};
+pub use held_scale::HeldScale;
 pub use history::{Gesture, History};
 pub use live::{Answered, Live};
+pub use load_trace::{LoadTrace, Loaded, Step};
 pub use loads::Loads;
 pub use measuring::{Basis, Best, Measuring, Search};
 pub use notices::{Notice, Notices, Tone};
@@ -40,7 +46,7 @@ pub use photos::{Coming, Photograph, Photos, Scaling, photo_centre};
 pub use preferences::{Hints, Preferences, Rescale, Views};
 pub use pull::{Held, Playing};
 pub use refusal::{Complaint, Refusal};
-pub use selection::{Hovered, Selection};
+pub use selection::{Hovered, Selection, nodes_of_stretch};
 pub use trace::Trace;
 pub use transport::Transport;
 pub use trouble::Trouble;
@@ -74,6 +80,10 @@ pub struct Workbench {
     tasks: u64,
     /// Where the tip has been.
     pub trace: Trace,
+    /// What forces are drawn by.
+    pub held_scale: HeldScale,
+    /// How the cables were loaded.
+    pub load_trace: LoadTrace,
     /// The backbone's nodes, in metres, before the last jump, until a view takes
     /// them.
     pub left_behind: Option<Vec<Vector>>,
@@ -110,6 +120,8 @@ pub struct Workbench {
     pub measuring: Measuring,
     /// The scene in the other mechanics.
     pub other: Other,
+    /// The path along another cable than the first.
+    pub along: Along,
 }
 
 impl Workbench {
@@ -128,6 +140,8 @@ impl Workbench {
             document,
             opened: 0,
             trace: Trace::default(),
+            held_scale: HeldScale::default(),
+            load_trace: LoadTrace::default(),
             left_behind: None,
             selection: Selection::Nothing,
             hovered: Hovered::Nothing,
@@ -145,6 +159,7 @@ impl Workbench {
             photos: Photos::default(),
             measuring: Measuring::default(),
             other: Other::default(),
+            along: Along::default(),
         };
         bench.restart();
         bench
@@ -158,6 +173,7 @@ impl Workbench {
     pub fn open(&mut self, scene: Scene) -> Result<(), Vec<SceneError>> {
         self.document = Document::new(scene)?;
         self.opened += 1;
+        self.held_scale = HeldScale::default();
         self.selection = Selection::Nothing;
         self.transport.stop();
         self.trace.clear();
@@ -167,6 +183,7 @@ impl Workbench {
 
     /// Follows the present scene anew from the straight robot.
     pub fn restart(&mut self) {
+        self.load_trace.clear();
         self.ask(StartFrom::Straight);
     }
 
@@ -212,6 +229,7 @@ impl Workbench {
                 Update::Answer { task, answer } => match *answer {
                     Answer::BestPull(fit) => self.measuring.end(task, fit),
                     Answer::Shape(shape) => self.other.take(task, *shape),
+                    Answer::Path(path) => self.along.take(task, *path),
                 },
             }
         }
@@ -222,9 +240,11 @@ impl Workbench {
                 self.left_behind = Some(leap.backbone);
             }
             self.trace.follow(&self.live);
+            self.load_trace.follow(&self.live);
             self.redraw();
         }
         self.look_at_the_other();
+        self.look_along();
     }
 
     /// Takes the scene as it has become and asks for its shape or, if it cannot
@@ -261,10 +281,19 @@ impl Workbench {
     /// it is over.
     pub fn settle(&mut self, ctx: &Context) {
         self.take_edits(ctx);
-        if self.look_at_the_other() {
+        if self.look_at_the_other() | self.look_along() {
             ctx.request_repaint();
         }
         let gesture = self.gesture(ctx);
+        let was_going = std::mem::replace(&mut self.held_scale.is_going, gesture == Gesture::Going);
+        if was_going && gesture == Gesture::Over {
+            // What was held may be let go.
+            let held = self.live.drawing().scale;
+            if self.force_scale() != held {
+                self.redraw();
+                ctx.request_repaint();
+            }
+        }
         self.history.observe(&self.document.scene, gesture);
         if self.hovering != self.hovered {
             // Its twins light up in parts that were shown before this was known.
@@ -296,6 +325,7 @@ impl Workbench {
     /// Draws anew what has changed.
     pub fn redraw(&mut self) {
         let mut notes = Notes::of(&self.document.scene);
+        notes.scale = Some(self.force_scale());
         if self.preferences.trace {
             notes.tip_trace = self.trace.points().to_vec();
         }

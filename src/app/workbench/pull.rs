@@ -7,7 +7,8 @@ use super::document::Document;
 use super::live::Live;
 use super::transport::span_mm;
 use super::{Loads, Workbench};
-use crate::mechanics::{CableState, Model};
+use crate::equilibrium::Status;
+use crate::mechanics::{CableState, Input, Model};
 use crate::scene::{Drive, Scene};
 use crate::units::{grams, metres, millimetres};
 
@@ -102,6 +103,23 @@ impl Workbench {
         }
     }
 
+    /// What a cable was brought to of what is held of it, in mm or g, where the robot
+    /// gets no farther; `None` where it got there, or is on its way.
+    pub fn reached(&self, cable: usize) -> Option<f64> {
+        let live = &self.live;
+        let solution = live.solution().filter(|_| !live.is_waiting())?;
+        if solution.status == Status::Unfinished || solution.nodes.is_empty() {
+            return None;
+        }
+        let now = solution.drive.cables.get(cable)?.input;
+        let (asked, reached, grain) = match (self.document.scene.cable(cable).drive, now) {
+            (Drive::PullMm(asked), Input::Pull(now)) => (asked, millimetres(now), SHOWN_MM),
+            (Drive::LoadG(asked), Input::Load(now)) => (asked, grams(now), SHOWN_G),
+            _ => return None,
+        };
+        ((asked - reached).abs() > grain).then_some(reached)
+    }
+
     /// Sets the pull of the first cable, in mm. What is held stays held: where it is
     /// the load, the one that this pull amounts to along the path is set, if that is
     /// known. A pull beyond what the robot can do is taken back like any other edit.
@@ -121,6 +139,22 @@ impl Workbench {
     pub fn set_pull_of(&mut self, cable: usize, pull_mm: f64) {
         let drive = Drive::PullMm(pull_mm);
         self.document.scene.set_drive(cable, drive);
+    }
+
+    /// Brings the cable that is set to a pull on its path, in mm. What is held of it
+    /// stays held.
+    pub fn go_along(&mut self, pull_mm: f64) {
+        let cable = self.cable();
+        match (cable, self.held(cable)) {
+            (0, _) => self.set_pull(pull_mm, Playing::GoesOn),
+            (_, Held::Pull) => self.set_pull_of(cable, pull_mm),
+            (_, Held::Load) => {
+                if let Some(loads) = self.loads_along() {
+                    let load_g = rounded(loads.load_g(pull_mm).max(0.0), LOAD_GRAIN_G);
+                    self.set_load(cable, load_g);
+                }
+            }
+        }
     }
 
     /// Sets the load on a cable, in g.
@@ -216,6 +250,11 @@ impl Workbench {
         }
     }
 }
+
+/// What was reached is told where it is so far from what was asked, in mm and in g: as
+/// far as what is shown of them.
+const SHOWN_MM: f64 = 0.005;
+const SHOWN_G: f64 = 0.05;
 
 /// A pull that was found is set to this, in mm, and a load to that, in g: far below
 /// what moves a pixel.

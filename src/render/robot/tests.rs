@@ -19,7 +19,8 @@ fn built(edit: impl Fn(&mut Scene), theme: Theme, standing: &Standing) -> (Solve
     edit(&mut scene);
     let problem = Problem::new(&scene).unwrap();
     let solution = solve(&problem, Start::Straight, Settings::default());
-    let mesh = mesh(&solution, problem.obstacles(), theme, standing);
+    let scale = draw(&solution, &Notes::of(&scene)).scale;
+    let mesh = mesh(&solution, problem.obstacles(), scale, theme, standing);
     (solution, mesh)
 }
 
@@ -60,10 +61,9 @@ fn a_robot_elsewhere_is_the_same_robot() {
 fn pressing_disks_shine() {
     for theme in [Theme::Light, Theme::Dark] {
         let (solution, mesh) = built(|_| (), theme, &Standing::Certified);
-        let most = solution.contacts.iter().map(|c| c.multiplier);
-        let most = most.fold(0.0, f64::max);
+        let scale = draw(&solution, &Notes::of(&Scene::from_toml(TWO_DISCS).unwrap())).scale;
         for contact in &solution.contacts {
-            let [red, green, blue] = theme.contact(contact.multiplier / most).rgb;
+            let [red, green, blue] = theme.contact(scale.of(contact)).rgb;
             let node = &solution.nodes[contact.node];
             let centre = node.position - mesh.origin.xy();
             let shining: Vec<&_> = mesh
@@ -130,6 +130,7 @@ fn plane_and_space_draw_disks_of_one_size_whatever_may_touch() {
         let mesh = mesh(
             &solution,
             problem.obstacles(),
+            drawing.scale,
             Theme::Light,
             &Standing::Certified,
         );
@@ -157,6 +158,7 @@ fn plane_and_space_colour_the_disks_that_press_and_no_others() {
     let mesh = mesh(
         &solution,
         problem.obstacles(),
+        drawing.scale,
         Theme::Light,
         &Standing::Certified,
     );
@@ -183,7 +185,8 @@ fn a_solution_without_nodes_shows_the_obstacles() {
     let problem = Problem::new(&scene).unwrap();
     let nothing = Solved::unsolved(problem);
     let obstacles = nothing.problem().obstacles();
-    let mesh = mesh(&nothing, obstacles, Theme::Dark, &greyed());
+    let scale = draw(&nothing, &Notes::of(&scene)).scale;
+    let mesh = mesh(&nothing, obstacles, scale, Theme::Dark, &greyed());
     mesh.solids.check();
     assert!(!mesh.solids.indices.is_empty() && !mesh.focus.is_empty());
 }

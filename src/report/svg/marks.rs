@@ -76,22 +76,28 @@ impl Writer<'_> {
             }
             Geometry::Arrow { tail, tip } => {
                 let [tail, tip] = [tail, tip].map(|point| frame.to_screen(*point).into());
-                let outline = Arrowhead::STANDARD.outline(tail, tip);
-                if outline.is_empty() {
-                    return None;
-                }
-                let corners: Vec<String> = outline
-                    .iter()
-                    .map(|[x, y]| format!("{} {}", px(*x), px(*y)))
-                    .collect();
-                let data = format!("M{}Z", corners.join("L"));
-                let mut element = PathElement::new().set("d", data);
-                self.paint(&mut element, role.word(), |theme| {
-                    line_look(&style(theme), 0.0, true)
-                });
-                Some(element.into())
+                Some(self.arrow([tail, tip], role)?.into())
             }
         }
+    }
+
+    /// An arrow between two places on the screen; `None` where they are one.
+    pub(super) fn arrow(&mut self, [tail, tip]: [[f64; 2]; 2], role: Role) -> Option<PathElement> {
+        let outline = Arrowhead::STANDARD.outline(tail, tip);
+        if outline.is_empty() {
+            return None;
+        }
+        let corners: Vec<String> = outline
+            .iter()
+            .map(|[x, y]| format!("{} {}", px(*x), px(*y)))
+            .collect();
+        let data = format!("M{}Z", corners.join("L"));
+        let mut element = PathElement::new().set("d", data);
+        let standing = self.drawing.standing.clone();
+        self.paint(&mut element, role.word(), |theme| {
+            line_look(&theme.style(role, &standing), 0.0, true)
+        });
+        Some(element)
     }
 
     /// A half-plane: its area, its surface, and strokes behind the surface.

@@ -125,7 +125,7 @@ impl<'a> Writer<'a> {
         middle.append(self.labels(&frame));
         let footer = self.footer(size, frame.scale);
         let mut defs = Definitions::new().add(clip);
-        if self.drawing.most.is_some() {
+        if self.drawing.presses {
             defs.append(self.gradient());
         }
         let mut picture = SVG::new()

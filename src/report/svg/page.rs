@@ -5,7 +5,7 @@ use super::{EDGE, LARGE, LINE, PLAIN, SMALL, STRONG, Size, Writer, px, rectangle
 use crate::geometry::Vector;
 use crate::report::characters::printable;
 use crate::report::text;
-use crate::view::{Colour, Most, Quantity, Role, Standing, Theme};
+use crate::view::{Colour, Quantity, Role, Standing, Theme};
 use svg::Node;
 use svg::node::element::{Group, LinearGradient, Path as PathElement, Stop, Text};
 
@@ -110,25 +110,26 @@ impl Writer<'_> {
         self.add_quantity(&mut label, &length, PLAIN);
         footer.append(label);
         let used = at.x + text::width(&length.text(), SMALL) + EDGE;
-        if let Some(most) = &self.drawing.most {
-            self.legend(&mut footer, most, size.width - EDGE, base, used);
+        if self.drawing.presses {
+            self.legend(&mut footer, [used, size.width - EDGE], base, scale);
         }
         footer
     }
 
     /// The contacts' scale, from the right edge to the left as far as there is
-    /// room.
-    fn legend(&mut self, footer: &mut Group, most: &Most, right: f64, base: f64, left: f64) {
+    /// room, and an arrow that shows how long a round force is.
+    fn legend(&mut self, footer: &mut Group, [left, right]: [f64; 2], base: f64, scale: f64) {
         const BAR: f64 = 80.0;
-        let value = text::width(&most.value.text(), SMALL);
-        let end = right - value - 6.0;
-        let words = most.what;
+        const ARROW: f64 = 56.0;
+        let of = self.drawing.scale;
+        let end_text = of.end_written();
+        let end = right - text::width(&end_text.text(), SMALL) - 6.0;
         let zero = end - BAR - 6.0;
         if zero - 12.0 < left {
             return;
         }
         let mut label = Text::new("").set("x", px(end + 6.0)).set("y", px(base));
-        self.add_quantity(&mut label, &most.value, PLAIN);
+        self.add_quantity(&mut label, &end_text, PLAIN);
         footer.append(label);
         let corner = Vector::new(end - BAR, base - 8.5);
         let bar = rectangle(corner, Vector::new(BAR, 8.0)).set("rx", 2);
@@ -136,8 +137,24 @@ impl Writer<'_> {
         let muted = |theme: Theme| theme.palette().muted;
         let label = self.text(Vector::new(zero, base), "zero", "0", muted);
         footer.append(label.set("text-anchor", "end"));
-        if zero - 24.0 - text::width(words, SMALL) > left {
-            let label = self.text(Vector::new(zero - 20.0, base), "words", words, muted);
+        let key = of.key(ARROW / scale);
+        let value = text::width(&key.value.text(), SMALL);
+        let mut free = zero - 24.0 - value;
+        if free - ARROW > left {
+            let mut label = Text::new("").set("x", px(free)).set("y", px(base));
+            self.add_quantity(&mut label, &key.value, PLAIN);
+            footer.append(label);
+            let tip = [free - 6.0, base - 4.5];
+            let tail = [tip[0] - key.length * scale, tip[1]];
+            let arrow = self.arrow([tail, tip], Role::Force(key.share));
+            if let Some(arrow) = arrow {
+                footer.append(arrow.set("class", "key"));
+            }
+            free = tail[0] - 12.0;
+        }
+        let words = of.what();
+        if free - text::width(words, SMALL) > left {
+            let label = self.text(Vector::new(free, base), "words", words, muted);
             footer.append(label.set("text-anchor", "end"));
         }
     }

@@ -206,9 +206,9 @@ fn pressing(ui: &mut Ui, bench: &mut Workbench, index: usize) {
     let count = Quantity::fixed(on.count() as f64, 0, "");
     row::fact(ui, "Contacts", "", &count);
     let written = Quantity::significant(per_millimetre(total), "rad²/mm");
-    row::fact(ui, "Multipliers", "Σ λ", &written);
     if let Some(force) = bench.document.force(total) {
         row::fact(ui, "Forces", "Σ F", &force);
         understated(ui, bench);
     }
+    row::fact(ui, "Multipliers", "Σ λ", &written);
 }

@@ -26,6 +26,11 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     let mm = |value: f64| Quantity::fixed(millimetres(value), 2, "mm");
     row::fact(ui, "Status", "", &word(Verdict::of(&bench.live).word()));
     row::fact(ui, "Pull", "l", &mm(solution.pull));
+    if let Some(asked) = bench.document.scene.cable(0).drive.pull_mm()
+        && bench.reached(0).is_some()
+    {
+        row::fact(ui, "Asked", "", &Quantity::fixed(asked, 2, "mm"));
+    }
     if let [base, .., tip] = solution.nodes.as_slice() {
         // Clockwise, as the robot bends when it is pulled.
         let bend = base.angle - tip.angle;
@@ -39,8 +44,12 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     let total: f64 = solution.contacts.iter().map(|it| it.multiplier).sum();
     row::fact(ui, "Contacts", "", &Quantity::fixed(count, 0, ""));
     let written = Quantity::significant(per_millimetre(total), "rad²/mm");
-    row::fact(ui, "Multipliers", "Σ λ", &written);
     let force = bench.document.force(total);
+    match &force {
+        // The paper's units say less: they change with the number of segments.
+        Some(total) => row::fact(ui, "Forces", "Σ F", total),
+        None => row::fact(ui, "Multipliers", "Σ λ", &written),
+    }
     let tensions: Vec<(String, Option<Quantity>, bool)> = (0..solution.cables.len())
         .map(|index| {
             let cable = solution.cables[index];
@@ -51,10 +60,9 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
             (name, bench.document.force(cable.tension), cable.is_slack)
         })
         .collect();
-    let Some(total) = force else {
+    if force.is_none() {
         return;
-    };
-    row::fact(ui, "Forces", "Σ F", &total);
+    }
     understated(ui, bench);
     ui.add_space(12.0);
     row::heading(ui, "Cable");

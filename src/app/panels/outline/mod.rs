@@ -339,8 +339,8 @@ fn rename(ui: &mut Ui, outline: &mut Outline, bench: &mut Workbench, glyph: &str
     ui.memory_mut(|memory| memory.request_focus(row));
 }
 
-/// By obstacle: how hard the robot presses on it, relative to the hardest
-/// pressed; `None` where it does not.
+/// By obstacle: how hard the robot presses on it, as a share of the scale that forces
+/// are drawn by; `None` where it does not.
 fn shares(bench: &Workbench) -> Vec<Option<f64>> {
     let scene: &Scene = &bench.document.scene;
     let mut shares = vec![None; scene.obstacles.len()];
@@ -349,10 +349,10 @@ fn shares(bench: &Workbench) -> Vec<Option<f64>> {
     };
     let pressing = solution.contacts.iter();
     let pressing = pressing.filter(|it| it.class == Class::Pressing);
-    let most = pressing.clone().map(|it| it.multiplier).fold(0.0, f64::max);
+    let scale = bench.live.drawing().scale;
     for contact in pressing {
         if let Some(share) = shares.get_mut(contact.obstacle) {
-            let this = contact.multiplier / most.max(f64::MIN_POSITIVE);
+            let this = scale.of(contact);
             *share = Some(share.map_or(this, |other: f64| other.max(this)));
         }
     }

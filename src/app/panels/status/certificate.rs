@@ -11,7 +11,7 @@ use crate::equilibrium::{Caution, Solution};
 use crate::mechanics::{Certificate, Condition, ConditionKind};
 use crate::scene::{Candidates, Scene};
 use crate::solver::Iteration;
-use crate::units::per_millimetre;
+use crate::units::{millimetres, per_millimetre};
 use crate::view::Quantity;
 use eframe::egui::{
     Align, Align2, Color32, FontId, Label, Layout, RichText, Role, ScrollArea, Sense, Ui,
@@ -50,6 +50,12 @@ fn contents(ui: &mut Ui, bench: &mut Workbench) {
     let wants_body = cautions(ui, bench.live.cautions(), scene);
     ui.add_space(16.0);
     row::heading(ui, "Optimality, recomputed from the node positions");
+    if bench.reached(0).is_some() {
+        let pull = Quantity::fixed(millimetres(solution.pull), 2, "mm").text();
+        ui.weak(format!(
+            "Of the shape that was reached, at a pull of {pull}."
+        ));
+    }
     ui.add_space(4.0);
     conditions(ui, &solution.certificate);
     ui.add_space(16.0);
