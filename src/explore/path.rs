@@ -140,6 +140,7 @@ impl PathState {
         let cables = cables.map(|(here, there)| CableState {
             pull: mix(here.pull, there.pull),
             tension: mix(here.tension, there.tension),
+            load: mix(here.load, there.load),
             is_slack: if t < 0.5 {
                 here.is_slack
             } else {

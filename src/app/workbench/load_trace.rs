@@ -70,7 +70,7 @@ impl LoadTrace {
         }
         let cables = solved.cables.iter().map(|state| Loaded {
             pull: state.pull,
-            tension: state.tension,
+            tension: state.load,
         });
         let leaps =
             |event: &crate::equilibrium::Event| matches!(event.what, Occurrence::Jump { .. });

@@ -98,7 +98,7 @@ impl Workbench {
             Drive::LoadG(load_g) => Some(load_g),
             Drive::PullMm(_) => {
                 let newtons = self.document.newtons_per_multiplier()?;
-                Some(grams(newtons * self.found(cable)?.tension).max(0.0))
+                Some(grams(newtons * self.found(cable)?.load).max(0.0))
             }
         }
     }
