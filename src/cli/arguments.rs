@@ -13,6 +13,7 @@ Examples:
   sinew draw two-discs.toml -o two-discs.svg  a picture
   sinew check two-discs.toml                  every fault of a scene file
   sinew force load-cell.toml                  contact force against load
+  sinew cycle two-posts.toml --pull 0:6:0     there and back, with its loop
   sinew compare free.toml photo.csv           a measured shape against the computed
   sinew reproduce                             the paper's figures and table
   sinew schema > scene.schema.json            for editors that complete TOML
@@ -40,6 +41,13 @@ Examples:
   sinew force load-cell.toml --friction -0.9 --window 0:8 --format csv
   sinew force load-cell.toml --rod 2.2:3        also by multipliers
   sinew force load-cell.toml --weighed 350:6.5  the same, EI from one weight";
+
+const CYCLE_EXAMPLES: &str = "\
+Examples:
+  sinew cycle two-posts.toml --pull 0:12:4:12
+  sinew cycle two-posts.toml --load 0:300:0 --set friction.holes=0.3
+  sinew cycle antagonists.toml --load 0:200:0 --cable 1 --format csv
+  sinew cycle two-posts.toml --load 0:300:0 --out loop.svg";
 
 const COMPARE_EXAMPLES: &str = "\
 Examples:
@@ -76,6 +84,8 @@ pub(super) enum Command {
     /// Estimates the contact force against the load, by virtual work and by
     /// multipliers.
     Force(Force),
+    /// Follows a cable's pull or load there and back, with the loop it makes.
+    Cycle(Cycle),
     /// Compares a measured backbone with the computed one.
     Compare(Compare),
     /// Recomputes the paper's figures and table, and writes a report.
@@ -274,6 +284,41 @@ pub(super) struct Force {
     pub weighed: Option<String>,
 
     /// How to print the result.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+
+    #[command(flatten)]
+    pub edits: Edits,
+}
+
+#[derive(Args)]
+#[command(after_help = CYCLE_EXAMPLES)]
+#[command(group(clap::ArgGroup::new("course").required(true).args(["pull", "load"])))]
+pub(super) struct Cycle {
+    /// The scene file, or - for standard input.
+    pub scene: PathBuf,
+
+    /// The pulls to go to one after the other, in mm.
+    #[arg(long, value_name = "FROM:TO:…", allow_hyphen_values = true)]
+    pub pull: Option<String>,
+
+    /// The loads to go to one after the other, in grams.
+    #[arg(long, value_name = "FROM:TO:…", allow_hyphen_values = true)]
+    pub load: Option<String>,
+
+    /// The cable, from 0; to be given where the scene has several.
+    #[arg(long, value_name = "K")]
+    pub cable: Option<usize>,
+
+    /// Equal steps from one to the next.
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = value_parser!(u32).range(1..=10_000))]
+    pub steps: u32,
+
+    /// Also write the loop of load against pull as a picture.
+    #[arg(long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+
+    /// How to print the result; CSV has a row for each state.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
 

@@ -7,6 +7,7 @@
 mod arguments;
 mod check;
 mod compare;
+mod cycle;
 mod draw;
 mod force;
 mod force_text;
@@ -61,6 +62,7 @@ pub fn run() -> ExitCode {
         Command::Check(what) => check::run(&what),
         Command::Draw(what) => draw::run(&what),
         Command::Force(what) => force::run(&what),
+        Command::Cycle(what) => cycle::run(&what),
         Command::Compare(what) => compare::run(&what),
         Command::Reproduce(what) => reproduce::run(&what),
         Command::Schema => schema(),

@@ -27,6 +27,19 @@ pub(super) fn pair(option: &str, text: &str, what: &str) -> Result<(f64, f64), B
     }
 }
 
+/// At least two waypoints, with colons between.
+pub(super) fn course(option: &str, text: &str, unit: &str) -> Result<Vec<f64>, BadInput> {
+    let list: Option<Vec<f64>> = text.split(':').map(number).collect();
+    match list {
+        Some(list) if (2..=100).contains(&list.len()) => Ok(list),
+        _ => Err(bad(
+            option,
+            text,
+            &format!("write 2 to 100 waypoints in {unit} with colons between, such as 0:5:0"),
+        )),
+    }
+}
+
 /// Positive numbers: FIRST:LAST:STEP or a list with commas.
 pub(super) fn loads(option: &str, text: &str) -> Result<Vec<f64>, BadInput> {
     const WHAT: &str = "write FIRST:LAST:STEP or a list such as 50,100,350, in grams";

@@ -7,13 +7,18 @@
 //! A path depends on the robot and its obstacles only; whatever is asked of it
 //! (the pull that brings the tip nearest to a point, the forces under a load)
 //! is a function of its states and solves nothing.
+//!
+//! A [`Cycle`] goes along a course of waypoints, there and back, and tells what work
+//! that took.
 
+mod cycle;
 mod load_curve;
 mod path;
 mod path_run;
 mod slope;
 mod tip;
 
+pub use cycle::{Course, Cycle, Given, Visit, Work};
 pub use load_curve::{LoadCurve, LoadPoint};
 pub use path::{End, Path, PathState, Pressing};
 pub use path_run::PathRun;

@@ -17,6 +17,7 @@ pub mod path;
 
 mod cables;
 mod certificate;
+pub mod cycle;
 mod fit;
 mod solution;
 mod statics;
