@@ -136,6 +136,25 @@ fn the_theory_column_comes_from_one_measured_point() {
     near(ours(&item, "Average error over all"), 0.537, 5e-4);
 }
 
+/// By another solver of the same mechanics: force over load and the average errors.
+#[test]
+fn one_set_of_constants_of_friction_comes_near_all_measured_forces() {
+    let item = item(Id::Table1);
+    let found = [
+        (24, 0.0688, 0.341),
+        (31, 0.0684, 0.530),
+        (36, 0.0684, 0.209),
+        (51, 0.0692, 0.269),
+    ];
+    for (distance, ratio, mean) in found {
+        let of = format!("sliding cable with friction (fitted), d = {distance} mm");
+        near(ours(&item, &format!("Force over load, {of}")), ratio, 6e-5);
+        near(ours(&item, &format!("Average error, {of}")), mean, 6e-4);
+    }
+    let all = "Average error over all 28, sliding cable with friction (fitted)";
+    near(ours(&item, all), 0.337, 6e-4);
+}
+
 #[test]
 fn the_calibration_point_is_the_one_nearest_to_the_theory_column() {
     let table = table();

@@ -60,7 +60,8 @@ fn energy(out: &mut impl Write, state: &Solution) -> io::Result<()> {
         write!(out, " ({} N mm)", figures(energy))?;
     }
     match &state.cables[..] {
-        [cable] => writeln!(
+        // With friction the cable's work is not all stored.
+        [cable] if cable.slips.is_none() => writeln!(
             out,
             ", changing by {} rad² per mm of pull",
             figures(cable.multiplier)
@@ -99,8 +100,23 @@ fn tension(cable: &Cable, goal: Option<Input>) -> Option<String> {
     })
 }
 
+/// Where friction takes from a cable: what hangs on it, and its tension at both ends.
+fn rubbing(cable: &Cable) -> Option<String> {
+    cable.slips.as_ref()?;
+    let tensions = cable.tensions_n.as_ref()?;
+    Some(format!(
+        "load {} g below the base; tension {} g above it and {} g at its end",
+        grams_shown(cable.load_n?),
+        grams_shown(*tensions.first()?),
+        grams_shown(*tensions.last()?)
+    ))
+}
+
 fn one_cable(out: &mut impl Write, cable: &Cable, goal: Option<Input>) -> io::Result<()> {
     writeln!(out, "  pull         {}", pull(cable, goal))?;
+    if let Some(told) = rubbing(cable) {
+        writeln!(out, "  friction     {told}")?;
+    }
     match (tension(cable, goal), goal) {
         (Some(tension), Some(Input::Load(_))) => writeln!(out, "  load         {tension}"),
         (Some(tension), _) => writeln!(out, "  tension      {tension}"),
