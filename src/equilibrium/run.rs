@@ -32,15 +32,15 @@ pub enum Progress {
 /// A run, advanced in slices. Dropping it cancels it; [`Run::retarget`]
 /// changes its goal and keeps its last equilibrium.
 ///
-/// The solver is compiled for one arc a bay of the sliding cable, for two, and for up to
-/// eight: every size takes 30 kB of the page.
+/// The solver is compiled for up to two arcs a bay of the sliding cable and for up to
+/// eight: every size takes 30 kB of the page, twice over. One arc by itself would be
+/// quicker for robots that have no more, whose second control stays at 0.
 #[derive(Clone, Debug)]
 pub struct Run(Mechanics);
 
 #[derive(Clone, Debug)]
 enum Mechanics {
     Equal(Box<Branch<Equal, 1>>),
-    SlidingBy1(Box<Branch<Sliding<1>, 1>>),
     SlidingBy2(Box<Branch<Sliding<2>, 2>>),
     SlidingBy8(Box<Branch<Sliding<8>, 8>>),
 }
@@ -50,7 +50,6 @@ macro_rules! each {
     ($run:expr, $branch:ident => $what:expr) => {
         match $run {
             Mechanics::Equal($branch) => $what,
-            Mechanics::SlidingBy1($branch) => $what,
             Mechanics::SlidingBy2($branch) => $what,
             Mechanics::SlidingBy8($branch) => $what,
         }
@@ -74,9 +73,6 @@ impl Run {
         };
         Self(match kind(problem) {
             Kind::Equal => Mechanics::Equal(Box::new(Branch::new(problem, start, settings))),
-            Kind::Sliding(1) => {
-                Mechanics::SlidingBy1(Box::new(Branch::new(problem, start, settings)))
-            }
             Kind::Sliding(2) => {
                 Mechanics::SlidingBy2(Box::new(Branch::new(problem, start, settings)))
             }
@@ -180,7 +176,7 @@ fn kind(problem: &Problem) -> Kind {
     match problem.model() {
         Model::Equal => Kind::Equal,
         Model::Sliding => match problem.robot().segments_per_bay {
-            arcs @ (1 | 2) => Kind::Sliding(arcs),
+            1 | 2 => Kind::Sliding(2),
             _ => Kind::Sliding(8),
         },
     }

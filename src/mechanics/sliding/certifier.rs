@@ -265,7 +265,7 @@ pub fn rests_under_load(problem: &Problem, found: Found<'_, [PlanarNode]>) -> bo
         driven.input = Input::Load(unit * state.load);
     }
     problem.set_drive(&drive);
-    let certificate = Certifier::default().certify(&Sliding::<1>::of(problem), found);
+    let certificate = Certifier::default().certify(&Sliding::<2>::of(problem), found);
     certificate.get(Condition::Minimum) == Some(1.0)
 }
 
