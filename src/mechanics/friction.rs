@@ -27,6 +27,15 @@ impl Slip {
         }
     }
 
+    /// The word for it of a contact, whose robot slides forward along the tangent or back.
+    pub fn word_at_contact(self) -> &'static str {
+        match self {
+            Slip::In => "forward",
+            Slip::Out => "back",
+            Slip::Sticks => "sticks",
+        }
+    }
+
     /// The slip of a hole beyond which the length drawn in has grown by this much, in
     /// metres.
     pub fn of(drawn: f64) -> Self {

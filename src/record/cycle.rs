@@ -146,11 +146,7 @@ impl Row {
                     node: contact.node,
                     force_n: newtons(contact.multiplier),
                     friction_n: newtons(contact.friction).filter(|_| rubs),
-                    slips: rubs.then(|| match Slip::of(contact.slid) {
-                        Slip::In => "forward",
-                        Slip::Out => "back",
-                        Slip::Sticks => "sticks",
-                    }),
+                    slips: rubs.then(|| Slip::of(contact.slid).word_at_contact()),
                 })
                 .collect(),
             backbone_mm: solved.backbone().map(point_mm).collect(),

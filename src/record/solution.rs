@@ -312,11 +312,7 @@ fn contact(touch: &Touch, per_bend: Option<f64>, rubs: bool) -> Contact {
         friction_n: per_bend
             .filter(|_| rubs)
             .map(|per_bend| per_bend * touch.friction),
-        slips: rubs.then(|| match Slip::of(touch.slid) {
-            Slip::In => "forward",
-            Slip::Out => "back",
-            Slip::Sticks => "sticks",
-        }),
+        slips: rubs.then(|| Slip::of(touch.slid).word_at_contact()),
         normal: pair(touch.normal),
         point_mm: point_mm(touch.point),
         clearance_mm: millimetres(touch.clearance),

@@ -136,7 +136,7 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
             .cables
             .iter()
             .take(count)
-            .flat_map(|cable| [millimetres(cable.pull), per_bend * cable.tension].map(cell));
+            .flat_map(|cable| [millimetres(cable.pull), per_bend * cable.load].map(cell));
         let row = numbers.into_iter().chain([String::new()]).chain(cables);
         table.write_record(row)?;
     }

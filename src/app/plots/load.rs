@@ -111,7 +111,7 @@ pub(super) fn show(
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
     let per_bend = per_bend(data);
     let states = data.solved.cables.get(data.cable);
-    let here = states.map(|state| (millimetres(state.pull), per_bend * state.tension));
+    let here = states.map(|state| (millimetres(state.pull), per_bend * state.load));
     let curves = path(data, cache);
     let extent = Extent::of(data, cache);
     let (factor, unit) = in_unit(data, extent.loads[1]);
