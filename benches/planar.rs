@@ -22,7 +22,7 @@ use divan::{Bencher, black_box};
 use sinew::equilibrium::{Run, Settings, Solved, Start, solve};
 use sinew::geometry::Vector;
 use sinew::mechanics::Problem;
-use sinew::scene::Scene;
+use sinew::scene::{Friction, Mechanics, Scene};
 
 fn main() {
     divan::main();
@@ -30,15 +30,52 @@ fn main() {
 
 const SCENE: &str = include_str!("../assets/scenes/two-discs.toml");
 
-fn problem(segments: u32, pull_mm: f64) -> Problem {
-    let scene = Scene::from_toml(SCENE).and_then(|mut scene| {
+/// What bends the robot.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    /// The paper's model.
+    Equal,
+    /// A cable that slides freely.
+    Sliding,
+    /// One that rubs in its holes and at the base, on a robot that rubs on the posts.
+    Rubbing,
+}
+
+impl Kind {
+    fn scene(self, segments: u32, pull_mm: f64) -> Scene {
+        let read = Scene::from_toml(SCENE);
+        let mut scene = match read {
+            Ok(scene) => scene,
+            Err(error) => panic!("the scene of this bench: {error}"),
+        };
         scene.robot.segments = segments;
         scene.set_pull_mm(pull_mm);
-        Problem::new(&scene)
-    });
-    match scene {
-        Ok(problem) => problem,
-        Err(error) => panic!("the scene of this bench: {error}"),
+        if !matches!(self, Kind::Equal) {
+            scene.model.mechanics = Mechanics::Sliding;
+        }
+        if matches!(self, Kind::Rubbing) {
+            scene.friction = Friction {
+                holes: 0.275,
+                contacts: 0.275,
+                base_loss: 0.165,
+            };
+        }
+        scene
+    }
+
+    fn problem(self, segments: u32, pull_mm: f64) -> Problem {
+        match Problem::new(&self.scene(segments, pull_mm)) {
+            Ok(problem) => problem,
+            Err(error) => panic!("the scene of this bench: {error}"),
+        }
+    }
+
+    /// A pull in millimetres at which both posts press.
+    fn pull_mm(self) -> f64 {
+        match self {
+            Kind::Equal => 5.0,
+            Kind::Sliding | Kind::Rubbing => 5.55,
+        }
     }
 }
 
@@ -58,38 +95,43 @@ fn alternate(bencher: Bencher, near: &Problem, far: &Problem) {
     });
 }
 
-/// The paper's experiment of Fig. 4b.
+/// The paper's experiment of Fig. 4b, with each mechanics.
 mod two_discs {
     use super::*;
 
     /// From the straight shape, directly, with nothing kept.
-    #[divan::bench]
-    fn cold(bencher: Bencher) {
-        let problem = problem(18, 5.0);
+    #[divan::bench(args = [Kind::Equal, Kind::Sliding])]
+    fn cold(bencher: Bencher, kind: Kind) {
+        let problem = kind.problem(18, kind.pull_mm());
         bencher.bench_local(|| direct(black_box(&problem)));
     }
 
     /// The pull moved by 0.05 mm and back.
-    #[divan::bench]
-    fn warm_pull(bencher: Bencher) {
-        alternate(bencher, &problem(18, 5.0), &problem(18, 5.05));
+    #[divan::bench(args = [Kind::Equal, Kind::Sliding, Kind::Rubbing])]
+    fn warm_pull(bencher: Bencher, kind: Kind) {
+        let pull_mm = kind.pull_mm();
+        alternate(
+            bencher,
+            &kind.problem(18, pull_mm),
+            &kind.problem(18, pull_mm + 0.05),
+        );
     }
 
     /// A disc dragged by so many micrometres and back: at sixty frames a second
     /// 6 and 30 mm/s. The longer drag takes a third iteration.
-    #[divan::bench(args = [100, 500])]
-    fn warm_drag(bencher: Bencher, micrometres: u32) {
-        let near = problem(18, 5.0);
+    #[divan::bench(args = [Kind::Equal, Kind::Sliding, Kind::Rubbing], consts = [100, 500])]
+    fn warm_drag<const MICROMETRES: i32>(bencher: Bencher, kind: Kind) {
+        let near = kind.problem(18, kind.pull_mm());
         let mut far = near.clone();
-        let by = Vector::new(-1e-6 * f64::from(micrometres), 0.0);
+        let by = Vector::new(-1e-6 * f64::from(MICROMETRES), 0.0);
         far.set_obstacle(0, near.obstacles()[0].moved(by));
         alternate(bencher, &near, &far);
     }
 
     /// The whole way from straight.
-    #[divan::bench]
-    fn path_to_12_mm(bencher: Bencher) {
-        let problem = problem(18, 12.0);
+    #[divan::bench(args = [Kind::Equal, Kind::Sliding, Kind::Rubbing])]
+    fn path_to_12_mm(bencher: Bencher, kind: Kind) {
+        let problem = kind.problem(18, 12.0);
         bencher.bench_local(|| solve(black_box(&problem), Start::Straight, Settings::default()));
     }
 }
@@ -97,8 +139,13 @@ mod two_discs {
 /// A warm solve of ever finer robots: the time a segment should stay, so the
 /// items a second too. (A cold solve of 10⁴ segments spends most of its time in
 /// the system's page faults for the storage that a run keeps.)
-#[divan::bench(args = [100, 1_000, 10_000])]
-fn per_segment(bencher: Bencher, segments: u32) {
-    let bencher = bencher.counter(ItemsCount::new(segments));
-    alternate(bencher, &problem(segments, 5.0), &problem(segments, 5.05));
+#[divan::bench(args = [Kind::Equal, Kind::Sliding], consts = [100, 1_000, 10_000])]
+fn per_segment<const SEGMENTS: u32>(bencher: Bencher, kind: Kind) {
+    let bencher = bencher.counter(ItemsCount::new(SEGMENTS));
+    let pull_mm = kind.pull_mm();
+    alternate(
+        bencher,
+        &kind.problem(SEGMENTS, pull_mm),
+        &kind.problem(SEGMENTS, pull_mm + 0.05),
+    );
 }

@@ -115,21 +115,12 @@ impl<const NU: usize> Mechanics<NU> for Sliding<NU> {
         cables: &mut Vec<CableState>,
     ) {
         cables.clear();
-        let unit = self.cost_unit();
-        let sums = &multipliers[point.rows.len()..];
-        if self.rubs() {
-            cables.extend((0..self.frozen.len()).map(|cable| {
-                let found = self.found(cable, point, sums);
-                CableState {
-                    pull: found.drawn,
-                    tension: unit * found.tension,
-                    load: unit * found.load,
-                    is_slack: found.tension == 0.0,
-                }
-            }));
+        if self.has_friction() {
+            self.write_rubbing_cables(point, multipliers, cables);
             return;
         }
-        let mut sums = sums.iter();
+        let unit = self.cost_unit();
+        let mut sums = multipliers[point.rows.len()..].iter();
         for (index, driven) in self.drive().cables.iter().enumerate() {
             cables.push(match driven.input {
                 Input::Pull(pull) => {
@@ -156,23 +147,23 @@ impl<const NU: usize> Mechanics<NU> for Sliding<NU> {
     }
 
     fn rubs(&self) -> bool {
-        Sliding::rubs(self)
+        self.has_friction()
     }
 
     fn freeze(&mut self, obstacles: &[Obstacle], nodes: &[Bay<NU>], rubbing: &Rubbing) {
-        Sliding::freeze(self, obstacles, nodes, rubbing);
+        self.freeze_friction(obstacles, nodes, rubbing);
     }
 
     fn freeze_like(&mut self, other: &Self) {
-        Sliding::freeze_like(self, other);
+        self.freeze_friction_like(other);
     }
 
     fn add_tensions(&self, multipliers: &mut Vec<(RowId, f64)>) {
-        Sliding::add_tensions(self, multipliers);
+        self.add_frozen_tensions(multipliers);
     }
 
     fn settle(&mut self, point: &Point<Self, 3, NU>, multipliers: &[f64]) -> Settling {
-        Sliding::settle(self, point, multipliers)
+        self.settle_friction(point, multipliers)
     }
 
     fn write_rubbing(
@@ -181,7 +172,7 @@ impl<const NU: usize> Mechanics<NU> for Sliding<NU> {
         multipliers: &[f64],
         rubbing: &mut Rubbing,
     ) {
-        Sliding::write_rubbing(self, point, multipliers, rubbing);
+        self.write_friction(point, multipliers, rubbing);
     }
 
     fn certify(&self, certifier: &mut Certifier, found: Found<'_, [Bay<NU>]>) -> Certificate {

@@ -14,12 +14,10 @@
 //! segments.
 
 use super::bay::Bay;
-use super::friction::{Effort, Frozen, Group};
-use super::rubbing::Held;
+use super::friction::{Friction, Group, given_tension, yielding};
 use super::stretch::Stretch;
 use crate::contact::RowKind;
-use crate::geometry::{Obstacle, Vector};
-use crate::math::Anderson;
+use crate::geometry::Vector;
 use crate::mechanics::{Input, Problem};
 use crate::solver::{
     Chain, Control, DynamicsCurvature, Row, RowCurvature, RowId, Stage, State, SumRow,
@@ -52,41 +50,22 @@ pub struct Sliding<const NU: usize> {
     /// 1/(EI/(L n)), per newton metre; 0 where EI is not known, and nothing is asked in
     /// newtons.
     pub(super) per_energy: f64,
-    /// Friction as it stands in this solve, by cable; none where nothing rubs.
-    pub(super) frozen: Vec<Frozen>,
-    /// The rows that hold cables, in the order of their ids.
-    pub(super) groups: Vec<Group>,
-    pub(super) effort: Effort,
-    pub(super) anderson: Anderson,
-    /// What obstacles hold back in this solve, by row.
-    pub(super) held: Vec<Held>,
-    /// Robot and obstacles where the step began; none where no contact rubs.
-    pub(super) started: Vec<Bay<NU>>,
-    pub(super) origins: Vec<Obstacle>,
+    /// Friction as it stands in this solve.
+    pub(super) friction: Friction,
 }
 
 impl<const NU: usize> Clone for Sliding<NU> {
     fn clone(&self) -> Self {
         Self {
             problem: self.problem.clone(),
-            frozen: self.frozen.clone(),
-            groups: self.groups.clone(),
-            anderson: self.anderson.clone(),
-            held: self.held.clone(),
-            started: self.started.clone(),
-            origins: self.origins.clone(),
+            friction: self.friction.clone(),
             ..*self
         }
     }
 
     fn clone_from(&mut self, source: &Self) {
         self.problem.clone_from(&source.problem);
-        self.frozen.clone_from(&source.frozen);
-        self.groups.clone_from(&source.groups);
-        self.effort = source.effort;
-        self.held.clone_from(&source.held);
-        self.started.clone_from(&source.started);
-        self.origins.clone_from(&source.origins);
+        self.friction.clone_from(&source.friction);
         self.arc = source.arc;
         self.bend = source.bend;
         self.most_bend = source.most_bend;
@@ -103,13 +82,7 @@ impl<const NU: usize> Sliding<NU> {
             bend: 0.0,
             most_bend: 0.0,
             per_energy: 0.0,
-            frozen: Vec::new(),
-            groups: Vec::new(),
-            effort: Effort::default(),
-            anderson: Anderson::default(),
-            held: Vec::new(),
-            started: Vec::new(),
-            origins: Vec::new(),
+            friction: Friction::default(),
         };
         sliding.prepare();
         sliding
@@ -135,7 +108,7 @@ impl<const NU: usize> Sliding<NU> {
         self.per_energy = drive
             .stiffness
             .map_or(0.0, |stiffness| robot.length * count / stiffness);
-        self.group();
+        self.friction.group(self.problem.drive());
     }
 
     pub(super) fn problem(&self) -> &Problem {
@@ -175,14 +148,14 @@ impl<const NU: usize> Sliding<NU> {
 
     /// The name of a row that holds a cable.
     pub(super) fn group_id(&self, sum: usize) -> RowId {
-        let Group { cable, first, .. } = self.groups[sum];
+        let Group { cable, first, .. } = self.friction.groups[sum];
         let stretch = first;
         RowKind::Cable { cable, stretch }.id(self.problem.obstacles().len())
     }
 
     /// The offset of the cable that a row holds, in a bay that it holds, from 1.
     fn held_offset(&self, sum: usize, bay: usize) -> Option<f64> {
-        let Group { cable, first, last } = self.groups[sum];
+        let Group { cable, first, last } = self.friction.groups[sum];
         let offset = self.problem.drive().cables[cable].cable.offset;
         (first..=last).contains(&bay).then_some(offset)
     }
@@ -216,24 +189,16 @@ impl<const NU: usize> Sliding<NU> {
         self.problem.drive().loads.any()
     }
 
-    /// The load on a cable, in the chain's unit, where that is what is given.
-    pub(super) fn given_tension(&self, cable: usize) -> Option<f64> {
-        match self.problem.drive().cables[cable].input {
-            Input::Load(load) => Some(self.per_energy * load),
-            Input::Pull(_) => None,
-        }
-    }
-
     /// Adds what hangs on cables and on the robot to a stage's cost.
     fn add_loads(&self, k: usize, bay: &Bay<NU>, stage: &mut Stage<3, NU>) {
-        for cable in 0..self.problem.drive().cables.len() {
+        for (cable, driven) in self.problem.drive().cables.iter().enumerate() {
             let Some(offset) = self.offset(cable, k) else {
                 continue;
             };
             // Of a cable that rubs, what its row does not hold.
-            let tension = match self.frozen.get(cable) {
+            let tension = match self.friction.frozen.get(cable) {
                 Some(frozen) => frozen.extra[k - 1],
-                None => self.given_tension(cable).unwrap_or(0.0),
+                None => given_tension(driven, self.per_energy).unwrap_or(0.0),
             };
             if tension == 0.0 {
                 continue;
@@ -386,16 +351,16 @@ impl<const NU: usize> Chain<3, NU> for Sliding<NU> {
     }
 
     fn sum_count(&self) -> usize {
-        self.groups.len()
+        self.friction.groups.len()
     }
 
     fn sum_row(&self, sum: usize) -> SumRow {
-        let Group { cable, first, last } = self.groups[sum];
+        let Group { cable, first, last } = self.friction.groups[sum];
         let driven = &self.problem.drive().cables[cable];
         // A multiplier λ is the tension T = λ EI/(L n).
-        let (held, yielding) = match self.frozen.get(cable) {
+        let (held, yielding) = match self.friction.frozen.get(cable) {
             Some(frozen) => {
-                let yielding = self.yielding(cable);
+                let yielding = yielding(driven, self.per_energy);
                 let below = match driven.input {
                     Input::Pull(pull) if first == 1 => pull,
                     _ => frozen.drawn[first - 1],

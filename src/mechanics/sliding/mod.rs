@@ -19,7 +19,6 @@ mod branch;
 mod certifier;
 mod chain;
 mod friction;
-mod rubbing;
 mod stretch;
 
 pub use certifier::rests_under_load;
