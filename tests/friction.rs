@@ -6,11 +6,11 @@ mod random_scene;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
 use serde_json::Value;
-use sinew::equilibrium::{Run, Settings, Solved, Start, Status, solve};
+use sinew::equilibrium::{EndReason, Occurrence, Run, Settings, Solved, Start, Status, solve};
 use sinew::forces::Statics;
 use sinew::geometry::Vector;
 use sinew::mechanics::{Input, Problem, Slip};
-use sinew::scene::{Candidates, Scene};
+use sinew::scene::{Candidates, Friction, Mechanics, Scene};
 
 const CYCLES: &str = include_str!("cases/capstan_cycles.json");
 
@@ -241,13 +241,73 @@ fn random_robots_are_pulled_there_and_back() {
                 let (status, certificate) = (&solution.status, &solution.certificate);
                 assert!(*status != Status::NumericalFailure, "{certificate:?}");
                 ends += 1;
-                if *status == Status::IterationLimit {
+                if *status == Status::IterationLimit || is_unsettled(status) {
                     given_up += 1;
                 } else {
                     assert!(certificate.holds(), "{status:?} {certificate:?}");
                 }
             }
         }
-        assert!(10 * given_up < 2 * ends, "{given_up} of {ends}");
+        assert!(12 * given_up < ends, "{given_up} of {ends}");
     }
+}
+
+fn is_unsettled(status: &Status) -> bool {
+    let Status::BranchEnded { reason, .. } = status else {
+        return false;
+    };
+    *reason == EndReason::FrictionUnsettled
+}
+
+/// The tip sticks to the upper post until its cone is left; there it slips by two
+/// millimetres and more, to where it is held again, and later slides.
+#[test]
+fn a_tip_that_sticks_slips_when_its_cone_is_left_and_the_run_goes_on() {
+    let text = include_str!("../assets/scenes/two-discs.toml");
+    let mut scene = Scene::from_toml(text).unwrap();
+    scene.model.mechanics = Mechanics::Sliding;
+    scene.friction = Friction {
+        holes: 0.275,
+        contacts: 0.275,
+        base_loss: 0.165,
+    };
+    let mut at = |pull_mm: f64| {
+        scene.set_pull_mm(pull_mm);
+        let problem = Problem::new(&scene).unwrap();
+        let solved = solve(&problem, Start::Straight, Settings::default());
+        assert_eq!(solved.status, Status::Converged, "{pull_mm}");
+        assert!(solved.certificate.holds(), "{pull_mm}");
+        solved
+    };
+    let slips = |solved: &Solved| -> Vec<f64> {
+        let events = solved.events.iter();
+        let slips = events.filter(|event| event.what == Occurrence::FrictionGaveWay);
+        slips.map(|event| 1e3 * event.pull).collect()
+    };
+    let used = |solved: &Solved| {
+        let [contact] = &solved.contacts[..] else {
+            panic!("{:?}", solved.contacts);
+        };
+        (contact.friction / contact.multiplier, 1e3 * contact.slid)
+    };
+    let before = at(10.35);
+    let (share, slid) = used(&before);
+    assert!(
+        (0.27..0.275).contains(&share) && slid.abs() < 1e-7,
+        "{share} {slid}"
+    );
+    assert_eq!(slips(&before), [] as [f64; 0]);
+    let end = at(12.0);
+    let (share, slid) = used(&end);
+    assert!(
+        (share - 0.275).abs() < 1e-9 && slid < -0.1,
+        "{share} {slid}"
+    );
+    let at_slips = slips(&end);
+    assert!((10.35..10.37).contains(&at_slips[0]), "{at_slips:?}");
+    let jump = end.events.iter().find_map(|event| match event.what {
+        Occurrence::Jump { distance, .. } => Some(1e3 * distance),
+        _ => None,
+    });
+    assert!((2.0..4.0).contains(&jump.unwrap()), "{jump:?}");
 }

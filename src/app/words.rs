@@ -275,6 +275,9 @@ pub fn occurrence(what: &Occurrence, scene: &Scene) -> String {
             let far = Quantity::fixed(millimetres(*distance), 2, "mm").text();
             format!("the robot jumps; node {node} moves farthest, by {far}")
         }
+        Occurrence::FrictionGaveWay => {
+            "friction of contacts gives way; the robot slips and rests anew".to_owned()
+        }
         Occurrence::BranchEnded { reason, segment } => {
             let status = Status::BranchEnded {
                 reason: *reason,

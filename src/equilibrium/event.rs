@@ -69,6 +69,10 @@ pub enum Occurrence {
     /// The earlier shape that was to start from is no equilibrium of its own
     /// problem; the run started from the straight robot instead.
     StartRefused,
+    /// Friction could no longer hold the robot on its obstacles and was let go: one that
+    /// slips shakes itself free, which no statics follows. It rests, and rubs again from
+    /// there.
+    FrictionGaveWay,
 }
 
 impl Occurrence {
@@ -79,6 +83,7 @@ impl Occurrence {
             Occurrence::ContactMade { .. } => "contact_made",
             Occurrence::ContactLost { .. } => "contact_lost",
             Occurrence::Jump { .. } => "jump",
+            Occurrence::FrictionGaveWay => "friction_gave_way",
             Occurrence::BranchEnded { .. } => "branch_ended",
             Occurrence::StartRefused => "start_refused",
         }

@@ -42,6 +42,8 @@ pub enum EndReason {
     /// The disks at the inner side of a bend touch each other, or a segment of a robot
     /// with sliding cables bends by a quarter turn.
     DisksTouch,
+    /// No friction in holes and at contacts was found that holds the robot still.
+    FrictionUnsettled,
 }
 
 impl EndReason {
@@ -52,6 +54,7 @@ impl EndReason {
             EndReason::Fold => "fold",
             EndReason::Blocked => "blocked",
             EndReason::DisksTouch => "disks_touch",
+            EndReason::FrictionUnsettled => "friction_unsettled",
         }
     }
 }
@@ -113,6 +116,9 @@ impl Status {
                     EndReason::Fold => "the equilibrium folds back and the robot slips away",
                     EndReason::Blocked => "every way on leads through an obstacle",
                     EndReason::DisksTouch => "its disks touch on the inner side of the bend",
+                    EndReason::FrictionUnsettled => {
+                        "no friction was found that holds the robot still"
+                    }
                 };
                 format!("the branch ends at segment {segment}: {why}")
             }

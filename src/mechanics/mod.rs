@@ -143,6 +143,17 @@ pub trait Mechanics<const NU: usize>:
         Settling::Settled
     }
 
+    /// Lets go of the friction of contacts in this solve, where it cannot be settled.
+    /// Whether there was any.
+    fn let_go(&mut self) -> bool {
+        false
+    }
+
+    /// Whether this solve goes without it.
+    fn has_let_go(&self) -> bool {
+        false
+    }
+
     /// Writes what friction keeps of a point where it has settled.
     fn write_rubbing(
         &self,

@@ -392,7 +392,7 @@ fn event(happening: &Happening, drive: &Drive) -> Event {
             event.reason = Some(reason.word());
             event.segment = Some(segment);
         }
-        Occurrence::StartRefused => {}
+        Occurrence::FrictionGaveWay | Occurrence::StartRefused => {}
     }
     event
 }

@@ -159,7 +159,7 @@ fn mark(
             let stroke = Stroke::new(1.25, tokens.muted.gamma_multiply(faded));
             painter.circle_stroke(foot, 2.5, stroke);
         }
-        Occurrence::Jump { .. } => {
+        Occurrence::Jump { .. } | Occurrence::FrictionGaveWay => {
             let ink = tokens.warning.gamma_multiply(faded);
             painter.text(
                 foot,

@@ -67,6 +67,7 @@ pub(super) fn of(path: &Path, data: &PlotData<'_>) -> Vec<Happening> {
                 let far = Quantity::fixed(millimetres(distance), 1, "mm").text();
                 (Kind::Jump, format!("jumps {far}"))
             }
+            Occurrence::FrictionGaveWay => (Kind::Jump, "slips free".to_owned()),
             Occurrence::BranchEnded { .. } => (Kind::End, "branch ends".to_owned()),
             Occurrence::PushedAside { .. } | Occurrence::StartRefused => return None,
         };

@@ -32,6 +32,15 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         self.predicted.clone_from(&self.back.point().controls);
     }
 
+    /// Begins the step's solve anew, with friction as it is now frozen.
+    pub(super) fn solve_again(&mut self) {
+        let multipliers = with_tensions(&self.now, &self.anchor.rows.multipliers);
+        let settings = self.sqp.settings();
+        self.sqp
+            .start(&self.now, &self.started, &multipliers, settings);
+        self.predicted.clear();
+    }
+
     /// Lets friction follow the shape that a solve has found.
     pub(super) fn settle(&mut self) -> Settling {
         let settling = self.now.settle(self.sqp.point(), self.sqp.multipliers());

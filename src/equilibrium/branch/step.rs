@@ -75,6 +75,14 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
             Settling::Failed => Outcome::IterationLimit,
             _ => outcome,
         };
+        let gave_way = !matches!(
+            outcome,
+            Outcome::Converged | Outcome::Infeasible | Outcome::OutsideDomain
+        );
+        if gave_way && self.step <= self.least_step && self.now.let_go() {
+            self.solve_again();
+            return;
+        }
         let locked = self.locked_segment();
         let last_try = self.step <= self.least_step;
         if outcome == Outcome::Converged && locked.is_none() && (last_try || !self.dips()) {
@@ -95,6 +103,9 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
             },
             Outcome::Blocked => self.end_of_branch(EndReason::Blocked, locked),
             Outcome::Saddle | Outcome::Stalled => self.end_of_branch(EndReason::Fold, locked),
+            Outcome::IterationLimit if self.now.rubs() => {
+                self.end_of_branch(EndReason::FrictionUnsettled, locked)
+            }
             Outcome::IterationLimit => Status::IterationLimit,
             Outcome::OutsideDomain => Status::NumericalFailure,
         };
@@ -115,6 +126,10 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
 
     /// Takes the step; one that does not follow the branch is a jump.
     pub(super) fn accept(&mut self, follows: bool) {
+        let let_go = self.now.has_let_go();
+        if let_go {
+            self.note(Occurrence::FrictionGaveWay);
+        }
         if !follows {
             let (node, distance) = self.farthest_node();
             self.note(Occurrence::Jump { node, distance });
@@ -125,7 +140,7 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
         self.before_at = follows.then_some(self.at);
         self.take_anchor();
         self.at = self.target();
-        if !follows || easy {
+        if !follows || easy || let_go {
             self.step = (2.0 * self.step).min(self.most_step);
         }
         self.phase = Phase::Between;

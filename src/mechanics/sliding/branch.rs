@@ -166,6 +166,14 @@ impl<const NU: usize> Mechanics<NU> for Sliding<NU> {
         self.settle_friction(point, multipliers)
     }
 
+    fn let_go(&mut self) -> bool {
+        self.let_go_of_contacts()
+    }
+
+    fn has_let_go(&self) -> bool {
+        self.has_let_go_of_contacts()
+    }
+
     fn write_rubbing(
         &self,
         point: &Point<Self, 3, NU>,

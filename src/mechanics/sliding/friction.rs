@@ -51,6 +51,8 @@ pub(super) struct Friction {
     pub groups: Vec<Group>,
     /// What obstacles hold back, by row.
     pub held: Vec<Held>,
+    /// Whether this solve goes without that.
+    let_go: bool,
     /// Robot and obstacles where the step began; none where no contact rubs.
     started: Vec<PlanarNode>,
     origins: Vec<Obstacle>,
@@ -121,6 +123,7 @@ impl Friction {
         self.passes = 0;
         self.rounds = 0;
         self.anderson.reset();
+        self.let_go = false;
         self.freeze_contacts(look, obstacles, &rubbing.drags);
         if look.problem.drive().friction.is_none() {
             self.frozen.clear();
@@ -139,7 +142,21 @@ impl Friction {
         self.scale_loads(here, there);
     }
 
+    /// Lets go of contacts. Whether any rubbed.
+    fn let_go(&mut self, drive: &Drive) -> bool {
+        if drive.friction.contacts == 0.0 || self.let_go {
+            return false;
+        }
+        self.passes = 0;
+        self.rounds = 0;
+        self.anderson.reset();
+        self.held.clear();
+        self.let_go = true;
+        true
+    }
+
     fn copy_frozen(&mut self, other: &Self) {
+        self.let_go = other.let_go;
         self.frozen.clone_from(&other.frozen);
         self.groups.clone_from(&other.groups);
         self.held.clone_from(&other.held);
@@ -161,7 +178,9 @@ impl Friction {
             self.find_tensions(cable, forces.sums());
             change = change.max(self.follow_ratios(cable, look));
         }
-        change = change.max(self.follow_contacts(look, forces));
+        if !self.let_go {
+            change = change.max(self.follow_contacts(look, forces));
+        }
         let settling = if change <= NEARLY && self.change_standings(look, forces) {
             self.anderson.reset();
             Settling::Again
@@ -189,7 +208,7 @@ impl Friction {
         for cable in 0..self.frozen.len() {
             changed |= self.change_slips(cable, look, bulk);
         }
-        if bulk || !changed {
+        if !self.let_go && (bulk || !changed) {
             changed |= self.change_slides(look, forces, bulk);
         }
         if changed {
@@ -217,11 +236,5 @@ impl Friction {
         for (own, unknown) in extra.chain(forces).zip(unknowns) {
             *own = *unknown;
         }
-    }
-
-    /// What friction keeps of a shape where it has settled.
-    fn write_rubbing(&self, look: Look<'_>, sums: &[f64], rubbing: &mut Rubbing) {
-        self.write_drags(look, &mut rubbing.drags);
-        self.write_strands(look, sums, &mut rubbing.strands);
     }
 }

@@ -80,6 +80,16 @@ impl<const NU: usize> Sliding<NU> {
         self.friction.freeze_like(&other.friction, here, there);
     }
 
+    /// Lets go of contacts in this solve. Whether any rubbed.
+    pub(crate) fn let_go_of_contacts(&mut self) -> bool {
+        self.friction.let_go(self.problem.drive())
+    }
+
+    /// Whether this solve goes without the friction of contacts.
+    pub(crate) fn has_let_go_of_contacts(&self) -> bool {
+        self.friction.let_go
+    }
+
     /// Adds the multipliers of the rows that hold cables, to start a solve with.
     pub(crate) fn add_frozen_tensions(&self, multipliers: &mut Vec<(RowId, f64)>) {
         for (sum, group) in self.friction.groups.iter().enumerate() {
@@ -116,9 +126,19 @@ impl<const NU: usize> Sliding<NU> {
         rubbing: &mut Rubbing,
     ) {
         let nodes: Vec<PlanarNode> = point.nodes.each().copied().collect();
-        let sums = &multipliers[point.rows.len()..];
-        self.friction
-            .write_rubbing(self.look(&nodes), sums, rubbing);
+        let rows: Vec<RowId> = point.rows.iter().map(|row| row.id).collect();
+        let forces = Forces {
+            rows: &rows,
+            multipliers,
+        };
+        let look = self.look(&nodes);
+        if self.friction.let_go {
+            Friction::write_resting(look, forces, &mut rubbing.drags);
+        } else {
+            self.friction.write_drags(look, &mut rubbing.drags);
+        }
+        let strands = &mut rubbing.strands;
+        self.friction.write_strands(look, forces.sums(), strands);
     }
 
     /// What is found of the cables where they rub.

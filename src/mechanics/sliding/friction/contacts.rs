@@ -273,6 +273,24 @@ impl Friction {
         changed
     }
 
+    /// What obstacles hold back where friction was let go, and the robot rests now.
+    pub(super) fn write_resting(look: Look<'_>, forces: Forces<'_>, drags: &mut Vec<Drag>) {
+        let count = look.problem.obstacles().len();
+        let presses = |row: RowId, normal: f64| {
+            normal > 0.0 && matches!(RowKind::of(row, count), RowKind::Contact { .. })
+        };
+        drags.clear();
+        let rows = forces.rows.iter().zip(forces.multipliers);
+        drags.extend(
+            rows.filter(|(row, normal)| presses(**row, **normal))
+                .map(|(&row, _)| Drag {
+                    row,
+                    force: 0.0,
+                    slid: 0.0,
+                }),
+        );
+    }
+
     /// What obstacles hold back in a shape where friction has settled.
     pub(super) fn write_drags(&self, look: Look<'_>, drags: &mut Vec<Drag>) {
         drags.clear();

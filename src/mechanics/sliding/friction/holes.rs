@@ -189,6 +189,7 @@ impl Friction {
         }
     }
 
+    /// What friction keeps of cables where it has settled.
     pub(super) fn write_strands(&self, look: Look<'_>, sums: &[f64], strands: &mut Vec<Strand>) {
         strands.resize_with(self.frozen.len(), Strand::default);
         let mut drawn = Vec::new();
