@@ -1,14 +1,32 @@
-//! Nothing passes through anything: posts that the robot sweeps towards stay
+//! Nothing passes through anything, whatever bends the robot: posts that the robot sweeps towards stay
 //! on their side of it, and no point of a link is inside an obstacle, sampled
 //! from outside the library's own tests for contact.
 
 use sinew::equilibrium::{Occurrence, Settings, Solution, Solved, Start, Status, solve};
 use sinew::geometry::{Vector, cross};
 use sinew::mechanics::Problem;
-use sinew::scene::{Candidates, Scene, Shape};
+use sinew::scene::{Candidates, Friction, Mechanics, Scene, Shape};
 
-fn body(pull_mm: f64, shape: Shape) -> Option<(Problem, Solved)> {
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    Equal,
+    Sliding,
+    Rubbing,
+}
+
+fn body(kind: Kind, pull_mm: f64, shape: Shape) -> Option<(Problem, Solved)> {
     let mut scene = Scene::default();
+    scene.model.mechanics = match kind {
+        Kind::Equal => Mechanics::Equal,
+        Kind::Sliding | Kind::Rubbing => Mechanics::Sliding,
+    };
+    if matches!(kind, Kind::Rubbing) {
+        scene.friction = Friction {
+            holes: 0.2,
+            contacts: 0.3,
+            base_loss: 0.1,
+        };
+    }
     scene.contact.candidates = Candidates::Body;
     scene.set_pull_mm(pull_mm);
     scene.obstacles.push(shape.into());
@@ -48,6 +66,20 @@ fn is_right(solution: &Solution, point: Vector) -> bool {
 
 #[test]
 fn thin_posts_stay_on_their_side() {
+    posts_stay_on_their_side(Kind::Equal);
+}
+
+#[test]
+fn thin_posts_stay_on_their_side_of_a_robot_whose_cable_slides() {
+    posts_stay_on_their_side(Kind::Sliding);
+}
+
+#[test]
+fn thin_posts_stay_on_their_side_of_a_robot_that_rubs() {
+    posts_stay_on_their_side(Kind::Rubbing);
+}
+
+fn posts_stay_on_their_side(kind: Kind) {
     let mut pressed = 0;
     for i in 0..120 {
         // On the arc that the free robot sweeps, a little before its end.
@@ -62,10 +94,10 @@ fn thin_posts_stay_on_their_side() {
             center_mm: place,
             radius_mm,
         };
-        let Some((problem, solution)) = body(8.0, shape) else {
+        let Some((problem, solution)) = body(kind, 8.0, shape) else {
             continue;
         };
-        assert!(solution.certificate.holds());
+        assert!(solution.certificate.holds(), "{place:?} {radius_mm}");
         assert!(
             sampled_depth(&problem, &solution) < 1e-9,
             "{place:?} {radius_mm}"
@@ -89,6 +121,12 @@ fn thin_posts_stay_on_their_side() {
 
 #[test]
 fn bars_are_never_crossed() {
+    for kind in [Kind::Equal, Kind::Sliding, Kind::Rubbing] {
+        bars_are_not_crossed(kind);
+    }
+}
+
+fn bars_are_not_crossed(kind: Kind) {
     for i in 0..60 {
         let turn = 6.0 * f64::from(i);
         let place = [-40.0 + 3.0 * f64::from(i), 60.0 + 1.5 * f64::from(i)];
@@ -98,7 +136,7 @@ fn bars_are_never_crossed() {
             radius_mm: 1.0,
             rotation_deg: turn,
         };
-        if let Some((problem, solution)) = body(8.0, shape) {
+        if let Some((problem, solution)) = body(kind, 8.0, shape) {
             assert!(
                 solution.certificate.holds(),
                 "{place:?} {:?}",
@@ -115,13 +153,19 @@ fn bars_are_never_crossed() {
 /// impossible; it is not overlooked.
 #[test]
 fn a_bar_across_the_straight_robot_is_seen() {
+    for kind in [Kind::Equal, Kind::Sliding, Kind::Rubbing] {
+        bar_across_is_seen(kind);
+    }
+}
+
+fn bar_across_is_seen(kind: Kind) {
     let bar = Shape::Box {
         center_mm: [0.0, 125.0],
         size_mm: [60.0, 4.0],
         rotation_deg: 0.0,
         corner_radius_mm: 0.0,
     };
-    let (problem, solution) = body(1.0, bar).unwrap();
+    let (problem, solution) = body(kind, 1.0, bar).unwrap();
     let pushed =
         |event: &sinew::equilibrium::Event| matches!(event.what, Occurrence::PushedAside { .. });
     assert!(solution.events.iter().any(pushed));
