@@ -152,6 +152,27 @@ fn a_shape_that_is_no_minimum_ends_at_a_fold() {
     assert!(solution.turns.iter().all(|turn| turn.abs() <= most));
 }
 
+/// Two cables on both sides that do not stretch: no bend draws in both. What lengthens one
+/// by as much as the other is drawn in is no conflict, nor are cables that stretch.
+#[test]
+fn cables_that_are_drawn_in_against_each_other_are_told() {
+    let antagonists = |far_mm: f64, rest: &str| {
+        let scene = Scene::from_toml(&format!(
+            "version = 2\n[robot]\nlength_mm = 180\nsegments = 18\nsegments_per_bay = 2\n\
+             bending_stiffness_nmm2 = 8000\n[[cable]]\noffset_mm = 8\npull_mm = 4\n{rest}\
+             [[cable]]\noffset_mm = -8\npull_mm = {far_mm}\n{rest}"
+        ));
+        straight(&Problem::new(&scene.unwrap()).unwrap())
+    };
+    let texts = ["cables_oppose", "against each other"];
+    check_end(&antagonists(1.0, ""), EndReason::CablesOppose, texts);
+    let stretching = "axial_stiffness_n = 5000\n";
+    for solved in [antagonists(-4.2, ""), antagonists(1.0, stretching)] {
+        assert_eq!(solved.status, Status::Converged);
+        assert!(solved.certificate.holds());
+    }
+}
+
 #[test]
 fn every_reason_has_its_word() {
     let reason = EndReason::Blocked;

@@ -44,6 +44,8 @@ pub enum EndReason {
     DisksTouch,
     /// No friction in holes and at contacts was found that holds the robot still.
     FrictionUnsettled,
+    /// Cables that do not stretch are drawn in against each other.
+    CablesOppose,
 }
 
 impl EndReason {
@@ -55,6 +57,7 @@ impl EndReason {
             EndReason::Blocked => "blocked",
             EndReason::DisksTouch => "disks_touch",
             EndReason::FrictionUnsettled => "friction_unsettled",
+            EndReason::CablesOppose => "cables_oppose",
         }
     }
 }
@@ -116,6 +119,9 @@ impl Status {
                     EndReason::Fold => "the equilibrium folds back and the robot slips away",
                     EndReason::Blocked => "every way on leads through an obstacle",
                     EndReason::DisksTouch => "its disks touch on the inner side of the bend",
+                    EndReason::CablesOppose => {
+                        "its cables are drawn in against each other and do not stretch"
+                    }
                     EndReason::FrictionUnsettled => {
                         "no friction was found that holds the robot still"
                     }

@@ -159,6 +159,23 @@ impl Drive {
         offsets.fold(0.0, f64::max)
     }
 
+    /// Whether two cables that do not stretch are drawn in against each other: to the same
+    /// disk, on both sides of the backbone, by pulls that no bend gives both of. Only a
+    /// robot that buckles yields a little to that.
+    pub fn cables_oppose(&self) -> bool {
+        let stiff = self.cables.iter().filter(|it| it.cable.compliance == 0.0);
+        let asked = stiff.filter_map(|driven| match driven.input {
+            Input::Pull(pull) => Some((driven.cable, pull / driven.cable.offset)),
+            Input::Load(_) => None,
+        });
+        let mut inwards = asked.clone().filter(|(cable, _)| cable.offset > 0.0);
+        inwards.any(|(near, least)| {
+            asked.clone().any(|(far, most)| {
+                far.offset < 0.0 && far.last_disk == near.last_disk && most < least
+            })
+        })
+    }
+
     /// Whether another drives the same cables, by whatever inputs.
     pub fn same_cables(&self, other: &Self) -> bool {
         let mut pairs = self.cables.iter().zip(&other.cables);

@@ -97,6 +97,9 @@ impl<M: Mechanics<NU>, const NU: usize> Branch<M, NU> {
             return;
         }
         let status = match outcome {
+            _ if locked.is_none() && self.now.drive().cables_oppose() => {
+                self.end_of_branch(EndReason::CablesOppose, None)
+            }
             Outcome::Converged => self.end_of_branch(EndReason::LinkageLimit, locked),
             Outcome::Infeasible => Status::Infeasible {
                 conflicts: self.conflicts(),
