@@ -97,6 +97,31 @@ impl Scene {
     }
 }
 
+/// Whether a key holds a whole number, such as `robot.disks` or `cable[0].to_disk`, and
+/// no other. A key that no scene has does not.
+pub fn is_count(key: &str) -> bool {
+    if key.trim() == "robot.disks" {
+        return true;
+    }
+    let Ok(steps) = steps(key.trim()) else {
+        return false;
+    };
+    let mut keys = SCENE;
+    let mut found = None;
+    for step in steps {
+        let Step::Key(name) = step else { continue };
+        found = keys
+            .iter()
+            .find(|key| key.name == name)
+            .map(|key| &key.kind);
+        keys = match found {
+            Some(Kind::Table(keys) | Kind::Tables(keys, ..)) => keys,
+            _ => &[],
+        };
+    }
+    matches!(found, Some(Kind::Whole(_) | Kind::Wholes(..)))
+}
+
 /// A step into a scene.
 #[derive(Clone, Copy)]
 enum Step<'a> {
