@@ -46,6 +46,7 @@ mod robot;
 #[cfg(feature = "cli")]
 pub mod schema;
 mod set;
+mod set_number;
 mod slip;
 mod walk;
 

@@ -26,7 +26,15 @@ impl Scene {
         let key = key.trim();
         match key.strip_prefix("robot.") {
             Some("disks") => return self.set_disks(value),
-            Some("disk_spacing_mm") => return self.set_disk_spacing(value),
+            Some("disk_spacing_mm") => {
+                let found = parsed(value);
+                let spacing = match &found {
+                    Value::Float(number) => *number,
+                    Value::Integer(number) => *number as f64,
+                    other => return Err(mistyped(key, other, &SPACING[0])),
+                };
+                return self.set_disk_spacing(spacing);
+            }
             _ => {}
         }
         let mut table = Table::try_from(&*self).map_err(|error| SceneError::NotWritable {
@@ -52,14 +60,8 @@ impl Scene {
         Ok(())
     }
 
-    fn set_disk_spacing(&mut self, value: &str) -> Result<(), SceneError> {
+    pub(super) fn set_disk_spacing(&mut self, spacing: f64) -> Result<(), SceneError> {
         let field = "robot.disk_spacing_mm";
-        let found = parsed(value);
-        let spacing = match &found {
-            Value::Float(number) => *number,
-            Value::Integer(number) => *number as f64,
-            other => return Err(mistyped(field, other, &SPACING[0])),
-        };
         let length = self.robot.length_mm;
         if !DISK_SPACING.contain(spacing) {
             return Err(SceneError::outside(field, spacing, &DISK_SPACING));
@@ -91,7 +93,7 @@ impl Scene {
         })
     }
 
-    fn put_disks(&mut self, disks: u32) {
+    pub(super) fn put_disks(&mut self, disks: u32) {
         let robot = &mut self.robot;
         robot.segments = disks.saturating_mul(robot.segments_per_bay);
     }
