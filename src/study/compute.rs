@@ -5,14 +5,15 @@ use super::design::Study;
 use super::output::Output;
 use super::row::{Row, Verdict};
 use crate::contact::Class;
-use crate::equilibrium::{Occurrence, Run, Settings, Solved, Start, solve};
+use crate::equilibrium::{Occurrence, Run, Settings, Solution, Solved, Start, solve};
 use crate::experiments::{Measured, compare};
 use crate::forces::Stiffness;
 use crate::geometry::Vector;
 use crate::math::greatest;
-use crate::mechanics::{Drive, Problem};
+use crate::mechanics::{CableState, Drive, Problem};
 use crate::scene::Scene;
-use crate::units::{degrees, grams, millimetres};
+use crate::units::{degrees, grams, metres, millimetres};
+use std::cell::OnceCell;
 
 /// Parts of the way on which the tip's track is looked at.
 const PARTS: u32 = 32;
@@ -51,9 +52,14 @@ impl Study {
             scene,
             goal: problem,
             run,
-            solved: run.solved(),
+            solution: run.solution(),
+            solved: OnceCell::new(),
             // Its range was checked with the scene's.
-            stiffness: Stiffness::of_scene(scene).ok().flatten(),
+            per_bend: Stiffness::of_scene(scene)
+                .ok()
+                .flatten()
+                .map(|stiffness| stiffness.per_bend(problem)),
+            free: OnceCell::new(),
         };
         let number = |output: &Output| {
             if !is_there && !output.is_of_the_way() {
@@ -95,96 +101,89 @@ struct Measure<'a> {
     scene: &'a Scene,
     goal: &'a Problem,
     run: &'a Run,
-    solved: Solved,
-    stiffness: Option<Stiffness>,
+    solution: &'a Solution,
+    /// The solution with its problem, once something needs both.
+    solved: OnceCell<Solved>,
+    /// EI/2l_0, in N·m, where EI is known.
+    per_bend: Option<f64>,
+    /// The robot that touches nothing where this one first does, once that is asked for.
+    free: OnceCell<Option<CableState>>,
 }
 
 impl Measure<'_> {
     fn number(&self, output: Output) -> Option<f64> {
-        let solved = &self.solved;
+        let solution = self.solution;
         let truth = |holds: bool| f64::from(u8::from(holds));
-        let pressing = || {
-            solved
-                .contacts
-                .iter()
-                .filter(|c| c.class == Class::Pressing)
+        let forces = || {
+            let contacts = solution.contacts.iter();
+            contacts
+                .filter(|contact| contact.class == Class::Pressing)
+                .map(|contact| contact.multiplier)
         };
-        let per_bend = self
-            .stiffness
-            .map(|stiffness| stiffness.per_bend(self.goal));
-        let force = |multiplier: f64| per_bend.map(|per_bend| per_bend * multiplier);
-        let tip = || solved.tip().position;
-        let millimetres = |length: f64| Some(millimetres(length));
+        let newtons = |multiplier: f64| self.per_bend.map(|per_bend| per_bend * multiplier);
+        let load = |cable: &CableState| newtons(cable.load).map(grams);
+        let first = || solution.cables.first();
+        let tip = || solution.tip().position;
         match output {
             Output::Status => Some(truth(self.is_converged())),
-            Output::Certificate => Some(truth(solved.certificate.holds())),
-            Output::StableUnderLoad => solved.rests_under_load().map(truth),
-            Output::TipX => millimetres(tip().x),
-            Output::TipY => millimetres(tip().y),
-            Output::TipSlope => Some(degrees(solved.bends.iter().sum())),
-            Output::Reach => millimetres((tip() - self.straight_tip()).norm()),
-            Output::Swept => Some(self.swept() * 1e6),
+            Output::Certificate => Some(truth(solution.certificate.holds())),
+            Output::StableUnderLoad => self.solved().rests_under_load().map(truth),
+            Output::TipX => Some(millimetres(tip().x)),
+            Output::TipY => Some(millimetres(tip().y)),
+            Output::TipSlope => Some(degrees(solution.bends.iter().sum())),
+            Output::Reach => Some(millimetres((tip() - self.straight_tip()).norm())),
+            Output::Swept => Some(1e6 * self.swept()),
             Output::TargetDistance => {
-                let [x, y] = self.study.file().target_mm?;
-                let target = Vector::new(crate::units::metres(x), crate::units::metres(y));
-                millimetres((tip() - target).norm())
+                let target = Vector::from(self.study.file().target_mm?.map(metres));
+                Some(millimetres((tip() - target).norm()))
             }
             Output::ProfileRms => {
                 let held = self.scene.measured.as_ref()?;
                 let measured = Measured::of_scene(held, self.goal).ok()?;
-                millimetres(compare(solved, &measured).rms)
+                Some(millimetres(compare(solution, &measured).rms))
             }
+            // What touches is there to the solver's tolerance, below a nanometre.
+            Output::ClearanceMin if forces().next().is_some() => Some(0.0),
             Output::ClearanceMin => {
-                let clearances = solved.clearances();
-                let least = clearances
-                    .iter()
-                    .map(|one| one.clearance)
-                    .reduce(f64::min)?;
-                // What touches is there to the solver's tolerance, below a nanometre.
-                millimetres(if pressing().next().is_some() {
-                    0.0
-                } else {
-                    least
-                })
+                let clearances = self.solved().clearances();
+                let each = clearances.iter().map(|one| one.clearance);
+                each.reduce(f64::min)
+                    .map(|least| greatest(0.0, millimetres(least)))
             }
-            Output::Contacts => Some(pressing().count() as f64),
-            Output::ForceMax => force(largest(pressing().map(|contact| contact.multiplier))),
-            Output::ForceTotal => force(pressing().map(|contact| contact.multiplier).sum()),
-            Output::Tension => force(largest(solved.cables.iter().map(|cable| cable.tension))),
-            Output::Pull => millimetres(solved.cables.first()?.pull),
-            Output::Load => force(solved.cables.first()?.tension).map(grams),
-            Output::FirstContactPull => self.at_first_contact(|solved| {
-                solved
-                    .cables
-                    .first()
-                    .map(|cable| crate::units::millimetres(cable.pull))
-            }),
-            Output::FirstContactLoad => self.at_first_contact(|solved| {
-                let tension = solved.cables.first()?.tension;
-                force(tension).map(grams)
-            }),
-            Output::BendMax => Some(degrees(largest(solved.bends.iter().map(|b| b.abs())))),
-            Output::ShearMax => Some(degrees(largest(solved.shears.iter().map(|s| s.abs())))),
-            Output::Energy => force(solved.energy).and_then(millimetres),
+            Output::Contacts => Some(forces().count() as f64),
+            Output::ForceMax => newtons(forces().fold(0.0, greatest)),
+            Output::ForceTotal => newtons(forces().sum()),
+            Output::Tension => {
+                let tensions = solution.cables.iter().map(|cable| cable.tension);
+                tensions.reduce(greatest).and_then(newtons)
+            }
+            Output::Pull => first().map(|cable| millimetres(cable.pull)),
+            Output::Load => first().and_then(load),
+            Output::FirstContactPull => {
+                let cable = self.at_first_contact()?;
+                Some(millimetres(cable.pull))
+            }
+            Output::FirstContactLoad => load(&self.at_first_contact()?),
+            Output::BendMax => Some(degrees(largest(&solution.bends))),
+            Output::ShearMax => Some(degrees(largest(&solution.shears))),
+            Output::Energy => newtons(solution.energy).map(millimetres),
             Output::ReachedShare => Some(self.run.driven_share()),
-            Output::EndPull => {
-                let pull = solved.cables.first()?.pull;
-                if self.is_converged() {
-                    None
-                } else {
-                    millimetres(pull)
-                }
-            }
+            Output::EndPull if self.is_converged() => None,
+            Output::EndPull => first().map(|cable| millimetres(cable.pull)),
             Output::Jumps => {
-                let events = solved.events.iter();
+                let events = solution.events.iter();
                 let jumps = events.filter(|event| matches!(event.what, Occurrence::Jump { .. }));
                 Some(jumps.count() as f64)
             }
         }
     }
 
+    fn solved(&self) -> &Solved {
+        self.solved.get_or_init(|| self.run.solved_for(self.goal))
+    }
+
     fn is_converged(&self) -> bool {
-        Verdict::of_status(&self.solved.status) == Verdict::Converged
+        Verdict::of_status(&self.solution.status) == Verdict::Converged
     }
 
     /// The straight robot's tip.
@@ -194,23 +193,33 @@ impl Measure<'_> {
         base.position + self.goal.length() * Vector::new(-base.disk.y, base.disk.x)
     }
 
-    /// What a robot that touches nothing tells where this one first does; at what is
-    /// given there of its cables. `None` where it never touches.
-    fn at_first_contact(&self, tell: impl Fn(&Solved) -> Option<f64>) -> Option<f64> {
-        let first = self.solved.events.iter().find(|event| {
-            matches!(
-                event.what,
-                Occurrence::ContactMade { .. } | Occurrence::PushedAside { .. }
-            )
-        })?;
-        let drive = self.run.drive_at(first.share);
-        let mut free = free_of_obstacles(self.scene)?;
-        free.set_drive(&drive);
-        let solved = solve(&free, Start::Straight, Settings::default());
-        if Verdict::of_status(&solved.status) != Verdict::Converged {
-            return None;
-        }
-        tell(&solved)
+    /// The first cable of the robot without obstacles, at what is given of it where this
+    /// one first touches. `None` where it never does.
+    fn at_first_contact(&self) -> Option<CableState> {
+        *self.free.get_or_init(|| {
+            let first = self.solution.events.iter().find(|event| {
+                matches!(
+                    event.what,
+                    Occurrence::ContactMade { .. } | Occurrence::PushedAside { .. }
+                )
+            })?;
+            let drive = self.run.drive_at(first.share);
+            // Where nothing rubs or weighs on it, the free robot of one cable has one
+            // shape, whatever the way.
+            let is_simple =
+                drive.cables.len() == 1 && drive.friction.is_none() && !drive.loads.any();
+            let start = match is_simple {
+                true => Start::Direct,
+                false => Start::Straight,
+            };
+            let mut free = self.goal.without_obstacles();
+            free.set_drive(&drive);
+            let solved = solve(&free, start, Settings::default());
+            match Verdict::of_status(&solved.status) {
+                Verdict::Converged => solved.cables.first().copied(),
+                _ => None,
+            }
+        })
     }
 
     /// The area that the line from the base to the tip goes over between the straight
@@ -237,14 +246,8 @@ impl Measure<'_> {
     }
 }
 
-/// The problem of the same robot with nothing around it.
-fn free_of_obstacles(scene: &Scene) -> Option<Problem> {
-    let mut alone = scene.clone();
-    alone.obstacles.clear();
-    Problem::new(&alone).ok()
-}
-
-/// The largest of some numbers that are at least 0; 0 of none.
-fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
-    numbers.fold(0.0, greatest)
+/// The largest amount of some angles; 0 of none.
+fn largest(angles: &[f64]) -> f64 {
+    let amounts = angles.iter().map(|angle| angle.abs());
+    amounts.fold(0.0, greatest)
 }

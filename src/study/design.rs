@@ -8,7 +8,8 @@ use super::output::{Needs, Output};
 use super::parameter::Parameter;
 use super::sampler::{Position, Sampler};
 use super::{MAX_SAMPLES, sobol};
-use crate::scene::limits::{LENGTH, shown};
+use crate::mechanics::Problem;
+use crate::scene::limits::LENGTH;
 use crate::scene::{Scene, SceneError};
 
 /// The key of the distance between disks, of which only some divide a robot's length.
@@ -20,6 +21,8 @@ const SPACING: &str = "robot.disk_spacing_mm";
 pub struct Study {
     file: StudyFile,
     scene: Scene,
+    /// The scene with every key of a parameter in it, so that it is set at once.
+    keyed: Scene,
     /// Of every axis, the parameters that go along it together.
     axes: Vec<Vec<usize>>,
     /// The steps of every axis on a grid; empty otherwise.
@@ -29,6 +32,7 @@ pub struct Study {
     /// The outputs and what constraints look at beside them.
     computed: Vec<Output>,
     constraints: Vec<Constraint>,
+    digest: u128,
 }
 
 impl Study {
@@ -51,8 +55,10 @@ impl Study {
             Sampler::Grid => grid(&file, &axes)?,
             Sampler::Latin | Sampler::Sobol => (Vec::new(), asked(&file, axes.len())?),
         };
-        let study = Self {
+        let mut study = Self {
+            digest: digest_of(&file, &scene),
             file,
+            keyed: scene.clone(),
             scene,
             axes,
             steps,
@@ -63,6 +69,11 @@ impl Study {
         };
         study.check_keys()?;
         study.check_needs()?;
+        for (parameter, value) in study.file.parameters.iter().zip(study.values(0)) {
+            // What the scene refuses now it refuses of each sample.
+            let _ = study.keyed.set_number(&parameter.key, value);
+        }
+        study.check_scene()?;
         Ok(study)
     }
 
@@ -105,14 +116,7 @@ impl Study {
     /// What tells this study and its results from every other: of what it says but its
     /// scene's file name, of the scene, and of this program's version.
     pub fn digest(&self) -> u128 {
-        let file = StudyFile {
-            title: None,
-            scene: "scene.toml".to_owned(),
-            ..self.file.clone()
-        };
-        // A scene that was read can be written.
-        let scene = self.scene.to_toml().unwrap_or_default();
-        digest(&[&file.to_toml(), &scene, env!("CARGO_PKG_VERSION")])
+        self.digest
     }
 
     /// The values of a sample, in the order of the parameters and in the units of their
@@ -126,20 +130,19 @@ impl Study {
     /// If there is no such sample.
     pub fn sample(&self, index: u64) -> (Vec<f64>, Result<Scene, SceneError>) {
         let mut values = self.asked_values(index);
-        let mut scene = self.scene.clone();
-        // Last, since it depends on the length and on the segments between disks.
-        let (spacings, others): (Vec<usize>, Vec<usize>) =
-            (0..values.len()).partition(|i| self.file.parameters[*i].key == SPACING);
-        let set = |scene: &mut Scene, key: &str, value: f64| scene.set(key, &shown(value));
-        for place in others {
-            if let Err(fault) = set(&mut scene, &self.file.parameters[place].key, values[place]) {
-                return (values, Err(fault));
-            }
-        }
-        for place in spacings {
-            values[place] = dividing(values[place], scene.robot.length_mm);
-            if let Err(fault) = set(&mut scene, SPACING, values[place]) {
-                return (values, Err(fault));
+        let mut scene = self.keyed.clone();
+        // Spacings last, since they depend on the length and on the segments a bay.
+        for spacings in [false, true] {
+            for (parameter, value) in self.file.parameters.iter().zip(&mut values) {
+                if (parameter.key == SPACING) != spacings {
+                    continue;
+                }
+                if spacings {
+                    *value = dividing(*value, scene.robot.length_mm);
+                }
+                if let Err(fault) = scene.set_number(&parameter.key, *value) {
+                    return (values, Err(fault));
+                }
             }
         }
         (values, Ok(scene))
@@ -188,7 +191,7 @@ impl Study {
                 if parameter.key == SPACING {
                     value = dividing(value, self.scene.robot.length_mm);
                 }
-                self.scene.clone().set(&parameter.key, &shown(value))
+                self.scene.clone().set_number(&parameter.key, value)
             };
             let last = match parameter.values.count() {
                 Some(count) => Position::Step(count - 1),
@@ -199,6 +202,20 @@ impl Study {
             }
         }
         Ok(())
+    }
+
+    /// The scene has no fault that all samples have: at both ends and in the middle.
+    fn check_scene(&self) -> Result<(), StudyError> {
+        let some = [0, self.samples / 2, self.samples - 1];
+        let some = some.map(|index| match self.sample(index).1 {
+            Ok(scene) => Problem::faults(&scene),
+            Err(_) => Vec::new(),
+        });
+        let mut faults = Problem::faults(&self.scene).into_iter();
+        match faults.find(|fault| some.iter().all(|faults| faults.contains(fault))) {
+            Some(fault) => Err(StudyError::Scene { fault }),
+            None => Ok(()),
+        }
     }
 
     /// Every output can be told.
@@ -229,6 +246,17 @@ impl Study {
         }
         Ok(())
     }
+}
+
+fn digest_of(file: &StudyFile, scene: &Scene) -> u128 {
+    let file = StudyFile {
+        title: None,
+        scene: "scene.toml".to_owned(),
+        ..file.clone()
+    };
+    // A scene that was read can be written.
+    let scene = scene.to_toml().unwrap_or_default();
+    digest(&[&file.to_toml(), &scene, env!("CARGO_PKG_VERSION")])
 }
 
 /// The distance nearest to this one that divides a length: that of the nearest number of
@@ -273,7 +301,10 @@ fn constraints(file: &StudyFile) -> Result<Vec<Constraint>, StudyError> {
     let texts = file.constraints.iter().enumerate();
     let each = texts.map(|(index, text)| {
         Constraint::new(text).map_err(|problem| {
-            let advice = "write one as \"force_max_n < 0.2\"";
+            // Some say themselves what to do.
+            let (problem, advice) = problem
+                .split_once("; ")
+                .unwrap_or((&problem, "write one as \"force_max_n < 0.2\""));
             StudyError::conflict(format!("constraints[{index}]"), problem, advice)
         })
     });

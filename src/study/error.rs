@@ -83,6 +83,13 @@ pub enum StudyError {
         samples: u128,
     },
 
+    /// A fault of the scene that no parameter changes.
+    #[error("its scene: {fault}")]
+    Scene {
+        /// What is wrong with it.
+        fault: SceneError,
+    },
+
     /// A parameter that the scene does not take.
     #[error("{field}: {fault}")]
     Parameter {

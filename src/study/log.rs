@@ -37,7 +37,7 @@ pub const CHUNK_HEAD_BYTES: usize = 16;
 /// Bytes of a checksum.
 pub const CHECKSUM_BYTES: usize = 8;
 /// Most rows of a chunk.
-pub const MOST_ROWS: usize = 4096;
+pub const MOST_ROWS: usize = 16_384;
 /// Longest reason that is kept, in bytes.
 const LONGEST_REASON: usize = 1000;
 

@@ -116,6 +116,38 @@ mod tests {
         }
     }
 
+    #[test]
+    fn every_dimension_has_its_published_directions() {
+        // Points as SciPy 1.17's `qmc.Sobol(21, scramble=False, bits=32)` has them, whose
+        // table is of Joe and Kuo's file, too. Gray's code of the second is all ones: a
+        // single wrong direction of the 32, given or by the polynomial, would move it.
+        let known: [(u32, [u32; MOST_DIMENSIONS]); 2] = [
+            (
+                1000,
+                [
+                    943718400, 415236096, 2227175424, 2906652672, 1203765248, 3896508416,
+                    197132288, 3862953984, 2151677952, 297795584, 364904448, 1094713344, 692060160,
+                    1648361472, 616562688, 1589641216, 3091202048, 1480589312, 4257218560,
+                    3116367872, 2243952640,
+                ],
+            ),
+            (
+                0xaaaa_aaaa,
+                [
+                    4294967295, 1, 1325465599, 806158221, 1342505107, 3222343953, 1081134301,
+                    2230321791, 2280850895, 2167068583, 2271385155, 2231269075, 2215448145,
+                    3977049005, 721596651, 1347371487, 869025213, 3574878551, 3642577017,
+                    3501682385, 3472963703,
+                ],
+            ),
+        ];
+        for (index, expected) in known {
+            for (dimension, expected) in expected.into_iter().enumerate() {
+                assert_eq!(point(index, dimension), expected, "{index} {dimension}");
+            }
+        }
+    }
+
     /// Whether 2^m points have one in each slice of 2^-m, as in every dimension they do.
     fn is_stratified(points: impl Iterator<Item = u32>, m: u32) -> bool {
         let mut slices: Vec<u32> = points.map(|point| point >> (DIGITS - m)).collect();
