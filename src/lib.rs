@@ -56,6 +56,8 @@
 //!   from CSV, and measured shapes against computed ones.
 //! - [`explore`]: the robot along its whole pull: its path, its jumps, the
 //!   forces under every load.
+//! - [`study`]: what designs lead to: parameters of a scene, samples of them, and what
+//!   is asked of each.
 //! - [`record`]: what is written of a result, in the units of files: keys of
 //!   JSON, columns of tables, and their versions.
 //! - [`solving`]: live requests, of which the newest counts, and in their pauses
@@ -150,6 +152,7 @@ pub mod robot;
 pub mod scene;
 pub mod solver;
 pub mod solving;
+pub mod study;
 pub mod units;
 pub mod view;
 

@@ -50,6 +50,51 @@ fn every_number_of_the_full_scene_can_be_set_by_its_name() {
     }
 }
 
+#[test]
+fn a_number_set_in_place_is_the_number_set_by_its_text() {
+    for text in [FULL, CABLES] {
+        let scene = Scene::from_toml(text).unwrap();
+        let table = toml::Table::try_from(&scene).unwrap();
+        let mut names = Vec::new();
+        leaves(&toml::Value::Table(table), "", &mut names);
+        names.retain(|(_, value)| value.is_float());
+        let mut keys: Vec<String> = names.into_iter().map(|(name, _)| name).collect();
+        // What is left out, what stands in another's place, what is none.
+        keys.extend(
+            [
+                "robot.disks",
+                "robot.disk_spacing_mm",
+                "robot.segments",
+                "robot.segments_per_bay",
+                "cable[0].to_disk",
+                "cable[1].to_disk",
+                "cable[1].to_disk[0]",
+                "actuation.load_g",
+                "cable[1].load_g",
+                "cable[1].pull_mm",
+                "cable[7].pull_mm",
+                "friction.holes",
+                "loads.gravity_m_s2[1]",
+                "loads.gravity_m_s2[2]",
+                "obstacle[0].center_mm",
+                "obstacle[0].size_mm[0]",
+                "robot.length_mm[0]",
+                "robot.lenght_mm",
+                "title",
+            ]
+            .map(str::to_owned),
+        );
+        for key in keys {
+            for value in [9.0, 22.5, 0.1 + 0.2, -3.75, -0.0, 1e300] {
+                let (mut by_text, mut in_place) = (scene.clone(), scene.clone());
+                let told = by_text.set(&key, &sinew::scene::limits::shown(value));
+                assert_eq!(in_place.set_number(&key, value), told, "{key} = {value}");
+                assert_eq!(in_place, by_text, "{key} = {value}");
+            }
+        }
+    }
+}
+
 /// Every value with its name.
 fn leaves(value: &toml::Value, at: &str, names: &mut Vec<(String, toml::Value)>) {
     match value {

@@ -15,6 +15,7 @@ Examples:
   sinew force load-cell.toml                  contact force against load
   sinew cycle two-posts.toml --pull 0:6:0     there and back, with its loop
   sinew compare free.toml photo.csv           a measured shape against the computed
+  sinew explore study.toml                    a design's map: many scenes at once
   sinew reproduce                             the paper's figures and table
   sinew schema > scene.schema.json            for editors that complete TOML
 
@@ -56,6 +57,29 @@ Examples:
   sinew compare free.toml scan.txt                  as numpy saves it
   sinew compare measured.toml                       the points in the scene";
 
+const EXPLORE_EXAMPLES: &str = "\
+Examples:
+  sinew explore study.toml --explain              what it would take
+  sinew explore study.toml --out results
+  sinew explore study.toml --out results --resume after it was stopped
+  sinew explore study.toml --out results --shard 2/8
+  sinew merge results                             the shards' table
+  sinew explore --outputs                         what can be asked for
+
+A study names a scene, parameters of it and outputs:
+  version = 1
+  scene = \"two-posts.toml\"
+  sampler = \"grid\"               # or latin or sobol, with samples = and seed =
+  outputs = [\"force_max_n\", \"reach_mm\"]
+  constraints = [\"force_max_n < 0.2\"]
+  [[parameter]]
+  key = \"robot.cable_offset_mm\"  # as --set has it
+  from = 4                        # or values = [4, 6, 8]; scale = \"log\"
+  to = 10
+  steps = 40
+
+A sample that has no shape is a row that says why, and no failure.";
+
 const REPRODUCE_EXAMPLES: &str = "\
 Examples:
   sinew reproduce                             everything, into sinew-report
@@ -88,6 +112,10 @@ pub(super) enum Command {
     Cycle(Cycle),
     /// Compares a measured backbone with the computed one.
     Compare(Compare),
+    /// Computes the samples of a study: what a design's sizes do to outputs.
+    Explore(Explore),
+    /// Makes the table of a study that was explored in shards.
+    Merge(Merge),
     /// Recomputes the paper's figures and table, and writes a report.
     Reproduce(Reproduce),
     /// Prints the JSON Schema of scene files.
@@ -95,7 +123,7 @@ pub(super) enum Command {
 }
 
 /// What is changed of a scene before anything is done with it.
-#[derive(Args)]
+#[derive(Args, Default)]
 pub(super) struct Edits {
     /// Set a value of the scene first, by its name in the file and in messages:
     /// obstacle[0].center_mm[0]=44. May be given several times and is done in
@@ -362,6 +390,59 @@ pub(super) struct Compare {
 
     #[command(flatten)]
     pub edits: Edits,
+}
+
+#[derive(Args)]
+#[command(after_help = EXPLORE_EXAMPLES)]
+pub(super) struct Explore {
+    /// The study's file. The scene that it names lies beside it.
+    #[arg(required_unless_present = "outputs")]
+    pub study: Option<PathBuf>,
+
+    /// The folder for the results; made where it is missing.
+    #[arg(long, value_name = "DIR", default_value = "sinew-study")]
+    pub out: PathBuf,
+
+    /// Compute only the K-th of N parts, from 1; sinew merge puts them together.
+    #[arg(long, value_name = "K/N")]
+    pub shard: Option<String>,
+
+    /// Tell how many samples there are, and about what time and room they take;
+    /// compute nothing else.
+    #[arg(long)]
+    pub explain: bool,
+
+    /// Go on where an earlier run was stopped: compute what the folder has not.
+    #[arg(long)]
+    pub resume: bool,
+
+    /// Threads to compute on; as many as there are processors, if not given.
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=1024))]
+    pub threads: Option<u32>,
+
+    /// List what can be asked of a sample, with units.
+    #[arg(long, conflicts_with_all = ["study", "shard", "explain", "resume", "threads"])]
+    pub outputs: bool,
+
+    #[command(flatten)]
+    pub edits: Edits,
+}
+
+#[derive(Args)]
+pub(super) struct Merge {
+    /// The folders that the shards were computed into, in any order; one, if it
+    /// was the same for all.
+    #[arg(required = true, value_name = "DIR")]
+    pub folders: Vec<PathBuf>,
+
+    /// Where to write the table, or - for standard output; results.csv in the
+    /// first folder, if not given.
+    #[arg(short, long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+
+    /// Make the table of the samples that there are, where some are missing.
+    #[arg(long)]
+    pub partial: bool,
 }
 
 #[derive(Args)]

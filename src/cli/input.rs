@@ -52,12 +52,7 @@ pub(super) fn problem(
     driving: &Driving,
 ) -> Result<(Scene, Problem), BadInput> {
     let origin = origin(path);
-    let mut scene = bytes(path, A_SCENE)
-        .and_then(|bytes| Ok(Scene::from_toml_bytes(&bytes)?))
-        .map_err(|error: anyhow::Error| error.context(origin.clone()))?;
-    for edit in &edits.set {
-        set(&mut scene, edit)?;
-    }
+    let mut scene = scene(path, edits)?;
     let driven = drive(&mut scene, driving, &origin)?;
     let mut faults = Problem::faults(&scene);
     if faults.is_empty() {
@@ -72,6 +67,17 @@ pub(super) fn problem(
         }
     }
     Err(BadInput::Faulty { origin, faults })
+}
+
+/// The scene in a file, after what is to be set in it, with whatever faults it has.
+pub(super) fn scene(path: &Path, edits: &Edits) -> Result<Scene, BadInput> {
+    let mut scene = bytes(path, A_SCENE)
+        .and_then(|bytes| Ok(Scene::from_toml_bytes(&bytes)?))
+        .map_err(|error: anyhow::Error| error.context(origin(path)))?;
+    for edit in &edits.set {
+        set(&mut scene, edit)?;
+    }
+    Ok(scene)
 }
 
 /// Sets what drives a cable, where that is given. Returns the scene's field for it and

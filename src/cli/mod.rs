@@ -9,6 +9,7 @@ mod check;
 mod compare;
 mod cycle;
 mod draw;
+mod explore;
 mod force;
 mod force_text;
 mod input;
@@ -64,6 +65,8 @@ pub fn run() -> ExitCode {
         Command::Force(what) => force::run(&what),
         Command::Cycle(what) => cycle::run(&what),
         Command::Compare(what) => compare::run(&what),
+        Command::Explore(what) => explore::run(&what),
+        Command::Merge(what) => explore::merge(&what),
         Command::Reproduce(what) => reproduce::run(&what),
         Command::Schema => schema(),
     };

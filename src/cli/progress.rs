@@ -41,6 +41,11 @@ impl Progress {
         self.bar.set_position(step.into());
     }
 
+    /// Says something else than what the bar was made with.
+    pub fn say(&self, what: String) {
+        self.bar.set_message(what);
+    }
+
     /// Does something that may write to the same terminal.
     pub fn aside<T>(&self, act: impl FnOnce() -> T) -> T {
         self.bar.suspend(act)

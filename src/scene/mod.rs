@@ -46,6 +46,7 @@ mod robot;
 #[cfg(feature = "cli")]
 pub mod schema;
 mod set;
+mod set_number;
 mod slip;
 mod walk;
 
@@ -62,8 +63,8 @@ pub use model::{Mechanics, Model};
 pub use obstacle::{Obstacle, Shape};
 pub use polygon::PolygonFault;
 pub use robot::Robot;
-#[cfg(any(feature = "app", feature = "cli"))]
-pub(crate) use walk::quoted;
+pub use set::is_count;
+pub(crate) use walk::{nearest, quoted};
 
 /// The version of the file format that is written. Files of every version from
 /// 1 on are read; a scene that was read is of this one.

@@ -26,7 +26,15 @@ impl Scene {
         let key = key.trim();
         match key.strip_prefix("robot.") {
             Some("disks") => return self.set_disks(value),
-            Some("disk_spacing_mm") => return self.set_disk_spacing(value),
+            Some("disk_spacing_mm") => {
+                let found = parsed(value);
+                let spacing = match &found {
+                    Value::Float(number) => *number,
+                    Value::Integer(number) => *number as f64,
+                    other => return Err(mistyped(key, other, &SPACING[0])),
+                };
+                return self.set_disk_spacing(spacing);
+            }
             _ => {}
         }
         let mut table = Table::try_from(&*self).map_err(|error| SceneError::NotWritable {
@@ -52,14 +60,8 @@ impl Scene {
         Ok(())
     }
 
-    fn set_disk_spacing(&mut self, value: &str) -> Result<(), SceneError> {
+    pub(super) fn set_disk_spacing(&mut self, spacing: f64) -> Result<(), SceneError> {
         let field = "robot.disk_spacing_mm";
-        let found = parsed(value);
-        let spacing = match &found {
-            Value::Float(number) => *number,
-            Value::Integer(number) => *number as f64,
-            other => return Err(mistyped(field, other, &SPACING[0])),
-        };
         let length = self.robot.length_mm;
         if !DISK_SPACING.contain(spacing) {
             return Err(SceneError::outside(field, spacing, &DISK_SPACING));
@@ -91,10 +93,35 @@ impl Scene {
         })
     }
 
-    fn put_disks(&mut self, disks: u32) {
+    pub(super) fn put_disks(&mut self, disks: u32) {
         let robot = &mut self.robot;
         robot.segments = disks.saturating_mul(robot.segments_per_bay);
     }
+}
+
+/// Whether a key holds a whole number, such as `robot.disks` or `cable[0].to_disk`, and
+/// no other. A key that no scene has does not.
+pub fn is_count(key: &str) -> bool {
+    if key.trim() == "robot.disks" {
+        return true;
+    }
+    let Ok(steps) = steps(key.trim()) else {
+        return false;
+    };
+    let mut keys = SCENE;
+    let mut found = None;
+    for step in steps {
+        let Step::Key(name) = step else { continue };
+        found = keys
+            .iter()
+            .find(|key| key.name == name)
+            .map(|key| &key.kind);
+        keys = match found {
+            Some(Kind::Table(keys) | Kind::Tables(keys, ..)) => keys,
+            _ => &[],
+        };
+    }
+    matches!(found, Some(Kind::Whole(_) | Kind::Wholes(..)))
 }
 
 /// A step into a scene.
