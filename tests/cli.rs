@@ -1069,7 +1069,8 @@ fn forces_come_as_text_json_and_csv() {
     }
     let table = check(&with("csv"), 0).out;
     assert_eq!(table.lines().count(), 8);
-    let head = "load_g,virtual_work_x_g,virtual_work_y_g,pull_mm,tension_g,multipliers_g";
+    let head = "load_g,virtual_work_x_g,virtual_work_y_g,pull_mm,tension_g,multipliers_g,\
+                frictionless_g";
     assert_eq!(table.lines().next(), Some(head));
     check(
         &[
@@ -1734,6 +1735,50 @@ fn forces_of_a_sliding_cable_come_without_virtual_work() {
     assert!(!text.contains("irtual"), "{text}");
     let solved = check(&["solve", &scene, "--set", "model.mechanics=sliding"], 0).out;
     assert!(!solved.contains("link"), "{solved}");
+}
+
+/// What a cable presses with that slides without friction stands beside the paper's
+/// model, and beside friction; where nothing else is asked for it is not told twice.
+#[test]
+fn forces_without_friction_come_beside_others() {
+    let scene = asset("load-cell");
+    let sliding = ["--set", "model.mechanics=sliding"];
+    let rubbing = [
+        "--set",
+        "friction.holes=0.275",
+        "--set",
+        "friction.contacts=0.275",
+    ];
+    let force = |more: &[&str]| json(&[&["force", &scene, "--format", "json"], more].concat(), 0);
+    let alone = force(&sliding);
+    assert!(alone.get("frictionless").is_none());
+    let lists = [force(&[]), force(&[&sliding[..], &rubbing[..]].concat())];
+    for found in &lists {
+        let rows = list(&found["loads"]).iter().zip(list(&alone["loads"]));
+        for (row, expected) in rows {
+            let force = number(&row["frictionless_force_g"]);
+            let expected = number(&expected["multipliers"]["force_g"]);
+            assert!((force - expected).abs() < 1e-9, "{force} {expected}");
+            assert!(number(&row["multipliers"]["force_g"]) < 0.95 * force);
+        }
+        let datum = |found: &Value, key: &str| number(&found[key]["tension_at_contact_g"]);
+        let (beside, own) = (
+            datum(found, "frictionless"),
+            datum(&alone, "by_multipliers"),
+        );
+        assert!((beside - own).abs() < 1e-9);
+    }
+    let rubbed = check(
+        &[&["force", &scene], &sliding[..], &rubbing[..]].concat(),
+        0,
+    )
+    .out;
+    assert!(rubbed.contains("no friction") && rubbed.contains("Without friction: contact"));
+    let papers = check(&["force", &scene], 0).out;
+    assert!(
+        papers.contains("With a cable that slides without friction: contact"),
+        "{papers}"
+    );
 }
 
 /// A cable that would have to bend the robot further than its disks allow: told without
