@@ -1781,6 +1781,87 @@ fn forces_without_friction_come_beside_others() {
     );
 }
 
+/// Readings of the load cell, by the program: in every format, with what is the matter
+/// told by its row.
+#[test]
+fn constants_are_fitted_to_readings() {
+    let scene = asset("load-cell");
+    let rows = "load_from_contact_g,force_g\n100,7.6\n200,15.1\n300,22.9\n";
+    let with = |more: &[&str], rows: &str, code| {
+        let args = [&["calibrate", &scene, "-"], more].concat();
+        let ran = sinew(&args, rows.as_bytes());
+        assert_eq!(ran.code, code, "{args:?}: {}", ran.err);
+        assert_eq!(ran.err.is_empty(), code == 0, "{args:?}: {}", ran.err);
+        // No state is any nearer to a fit than none.
+        assert_eq!(ran.out.is_empty(), code != 0, "{args:?}: {}", ran.out);
+        ran
+    };
+    let fit = ["--fit", "base_loss"];
+    let told = with(&fit, rows, 0);
+    for part in [
+        "Load cell (Fig. 9)",
+        "RMS",
+        "over 3 forces",
+        "friction.base_loss",
+    ] {
+        assert!(told.out.contains(part), "{part} in {}", told.out);
+    }
+    assert!(
+        told.out.contains("sliding (the scene says equal"),
+        "{}",
+        told.out
+    );
+    let format = |format| with(&[&fit[..], &["--format", format]].concat(), rows, 0).out;
+    let found: Value = serde_json::from_str(&format("json")).unwrap();
+    assert_eq!(found["schema"], "sinew-calibration-1");
+    let loss = &found["constants"][0];
+    assert!((0.1..0.2).contains(&number(&loss["value"])), "{loss}");
+    assert_eq!(loss["key"], "friction.base_loss");
+    assert_eq!(list(&found["rows"]).len(), 3);
+    let table = format("csv");
+    assert!(table.starts_with("row,load_g,pull_mm,read_pull_mm,force_g,read_force_g\n2,"));
+
+    // Two that nothing tells apart: a straight line fixes one number.
+    let both = with(&["--fit", "contacts,base_loss"], rows, 0).out;
+    let sentence = "The data cannot tell contacts and base_loss apart";
+    assert!(both.contains(sentence), "{both}");
+
+    for (more, rows, code, sentence) in [
+        (
+            &["--fit", "hole"],
+            rows,
+            2,
+            "error: --fit: \"hole\" cannot be fitted",
+        ),
+        (
+            &fit,
+            "load_g,force_g\n1,x\n",
+            2,
+            "error: standard input: row 2: force_g is \"x\"",
+        ),
+        (
+            &fit,
+            "load_g\n1\n",
+            2,
+            "error: standard input: row 1: nothing was measured",
+        ),
+        (
+            &fit,
+            "pull_mm,force_g\n3,5\n90,5\n",
+            3,
+            "error: standard input: row 3: with base_loss = 0.1000 no equilibrium is found: ",
+        ),
+    ] {
+        let told = with(more, rows, code).err;
+        assert!(told.contains(sentence), "{told}");
+    }
+    let told = with(&[&fit[..], &["--force-error", "0"]].concat(), rows, 2).err;
+    assert!(
+        told.contains("--force-error is 0 g; it has to be above 0"),
+        "{told}"
+    );
+}
+
 /// A cable that would have to bend the robot further than its disks allow: told without
 /// a word of linkages, with how far it got.
 #[test]

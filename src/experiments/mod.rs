@@ -11,6 +11,8 @@
 //! millimetres, grams, degrees.
 
 mod best_pull;
+#[cfg(feature = "cli")]
+pub mod calibration;
 mod data;
 mod item;
 mod links;

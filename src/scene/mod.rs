@@ -62,6 +62,8 @@ pub use model::{Mechanics, Model};
 pub use obstacle::{Obstacle, Shape};
 pub use polygon::PolygonFault;
 pub use robot::Robot;
+#[cfg(feature = "cli")]
+pub(crate) use walk::nearest;
 #[cfg(any(feature = "app", feature = "cli"))]
 pub(crate) use walk::quoted;
 

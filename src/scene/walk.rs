@@ -258,7 +258,7 @@ pub(crate) fn quoted(text: &str) -> String {
 }
 
 /// The name spelled most like the word, if it shares at least half its letters.
-fn nearest(word: &str, names: &[&'static str]) -> Option<&'static str> {
+pub(crate) fn nearest(word: &str, names: &[&'static str]) -> Option<&'static str> {
     // Measuring takes time quadratic in the length, and no name is that long.
     if word.len() > 60 {
         return None;
