@@ -53,7 +53,8 @@
 //! - [`forces`]: newtons, from multipliers with a bending stiffness and from
 //!   kinematics by virtual work; the balance of the whole robot.
 //! - [`experiments`]: the numbers of the paper's figures and table, measurements
-//!   from CSV, and measured shapes against computed ones.
+//!   from CSV, measured shapes against computed ones, and stiffness and friction
+//!   fitted to measured forces.
 //! - [`explore`]: the robot along its whole pull: its path, its jumps, the
 //!   forces under every load.
 //! - [`study`]: what designs lead to: parameters of a scene, samples of them, and what

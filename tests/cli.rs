@@ -1069,7 +1069,8 @@ fn forces_come_as_text_json_and_csv() {
     }
     let table = check(&with("csv"), 0).out;
     assert_eq!(table.lines().count(), 8);
-    let head = "load_g,virtual_work_x_g,virtual_work_y_g,pull_mm,tension_g,multipliers_g";
+    let head = "load_g,virtual_work_x_g,virtual_work_y_g,pull_mm,tension_g,multipliers_g,\
+                frictionless_g";
     assert_eq!(table.lines().next(), Some(head));
     check(
         &[
@@ -1734,6 +1735,131 @@ fn forces_of_a_sliding_cable_come_without_virtual_work() {
     assert!(!text.contains("irtual"), "{text}");
     let solved = check(&["solve", &scene, "--set", "model.mechanics=sliding"], 0).out;
     assert!(!solved.contains("link"), "{solved}");
+}
+
+/// What a cable presses with that slides without friction stands beside the paper's
+/// model, and beside friction; where nothing else is asked for it is not told twice.
+#[test]
+fn forces_without_friction_come_beside_others() {
+    let scene = asset("load-cell");
+    let sliding = ["--set", "model.mechanics=sliding"];
+    let rubbing = [
+        "--set",
+        "friction.holes=0.275",
+        "--set",
+        "friction.contacts=0.275",
+    ];
+    let force = |more: &[&str]| json(&[&["force", &scene, "--format", "json"], more].concat(), 0);
+    let alone = force(&sliding);
+    assert!(alone.get("frictionless").is_none());
+    let lists = [force(&[]), force(&[&sliding[..], &rubbing[..]].concat())];
+    for found in &lists {
+        let rows = list(&found["loads"]).iter().zip(list(&alone["loads"]));
+        for (row, expected) in rows {
+            let force = number(&row["frictionless_force_g"]);
+            let expected = number(&expected["multipliers"]["force_g"]);
+            assert!((force - expected).abs() < 1e-9, "{force} {expected}");
+            assert!(number(&row["multipliers"]["force_g"]) < 0.95 * force);
+        }
+        let datum = |found: &Value, key: &str| number(&found[key]["tension_at_contact_g"]);
+        let (beside, own) = (
+            datum(found, "frictionless"),
+            datum(&alone, "by_multipliers"),
+        );
+        assert!((beside - own).abs() < 1e-9);
+    }
+    let rubbed = check(
+        &[&["force", &scene], &sliding[..], &rubbing[..]].concat(),
+        0,
+    )
+    .out;
+    assert!(rubbed.contains("no friction") && rubbed.contains("Without friction: contact"));
+    let papers = check(&["force", &scene], 0).out;
+    assert!(
+        papers.contains("With a cable that slides without friction: contact"),
+        "{papers}"
+    );
+}
+
+/// Readings of the load cell, by the program: in every format, with what is the matter
+/// told by its row.
+#[test]
+fn constants_are_fitted_to_readings() {
+    let scene = asset("load-cell");
+    let rows = "load_from_contact_g,force_g\n100,7.6\n200,15.1\n300,22.9\n";
+    let with = |more: &[&str], rows: &str, code| {
+        let args = [&["calibrate", &scene, "-"], more].concat();
+        let ran = sinew(&args, rows.as_bytes());
+        assert_eq!(ran.code, code, "{args:?}: {}", ran.err);
+        assert_eq!(ran.err.is_empty(), code == 0, "{args:?}: {}", ran.err);
+        // No state is any nearer to a fit than none.
+        assert_eq!(ran.out.is_empty(), code != 0, "{args:?}: {}", ran.out);
+        ran
+    };
+    let fit = ["--fit", "base_loss"];
+    let told = with(&fit, rows, 0);
+    for part in [
+        "Load cell (Fig. 9)",
+        "RMS",
+        "over 3 forces",
+        "friction.base_loss",
+    ] {
+        assert!(told.out.contains(part), "{part} in {}", told.out);
+    }
+    assert!(
+        told.out.contains("sliding (the scene says equal"),
+        "{}",
+        told.out
+    );
+    let format = |format| with(&[&fit[..], &["--format", format]].concat(), rows, 0).out;
+    let found: Value = serde_json::from_str(&format("json")).unwrap();
+    assert_eq!(found["schema"], "sinew-calibration-1");
+    let loss = &found["constants"][0];
+    assert!((0.1..0.2).contains(&number(&loss["value"])), "{loss}");
+    assert_eq!(loss["key"], "friction.base_loss");
+    assert_eq!(list(&found["rows"]).len(), 3);
+    let table = format("csv");
+    assert!(table.starts_with("row,load_g,pull_mm,read_pull_mm,force_g,read_force_g\n2,"));
+
+    // Two that nothing tells apart: a straight line fixes one number.
+    let both = with(&["--fit", "contacts,base_loss"], rows, 0).out;
+    let sentence = "The data cannot tell contacts and base_loss apart";
+    assert!(both.contains(sentence), "{both}");
+
+    for (more, rows, code, sentence) in [
+        (
+            &["--fit", "hole"],
+            rows,
+            2,
+            "error: --fit: \"hole\" cannot be fitted",
+        ),
+        (
+            &fit,
+            "load_g,force_g\n1,x\n",
+            2,
+            "error: standard input: row 2: force_g is \"x\"",
+        ),
+        (
+            &fit,
+            "load_g\n1\n",
+            2,
+            "error: standard input: row 1: nothing was measured",
+        ),
+        (
+            &fit,
+            "pull_mm,force_g\n3,5\n90,5\n",
+            3,
+            "error: standard input: row 3: with base_loss = 0.1000 no equilibrium is found: ",
+        ),
+    ] {
+        let told = with(more, rows, code).err;
+        assert!(told.contains(sentence), "{told}");
+    }
+    let told = with(&[&fit[..], &["--force-error", "0"]].concat(), rows, 2).err;
+    assert!(
+        told.contains("--force-error is 0 g; it has to be above 0"),
+        "{told}"
+    );
 }
 
 /// A cable that would have to bend the robot further than its disks allow: told without

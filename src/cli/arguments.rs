@@ -14,6 +14,8 @@ Examples:
   sinew check two-discs.toml                  every fault of a scene file
   sinew force load-cell.toml                  contact force against load
   sinew cycle two-posts.toml --pull 0:6:0     there and back, with its loop
+  sinew calibrate load-cell.toml forces.csv --fit ei,holes
+                                              stiffness and friction from readings
   sinew compare free.toml photo.csv           a measured shape against the computed
   sinew explore study.toml                    a design's map: many scenes at once
   sinew reproduce                             the paper's figures and table
@@ -49,6 +51,15 @@ Examples:
   sinew cycle two-posts.toml --load 0:300:0 --set friction.holes=0.3
   sinew cycle antagonists.toml --load 0:200:0 --cable 1 --format csv
   sinew cycle two-posts.toml --load 0:300:0 --out loop.svg";
+
+const CALIBRATE_EXAMPLES: &str = "\
+Examples:
+  sinew calibrate load-cell.toml table-1-by-row.csv --fit holes,contacts,base_loss
+  sinew calibrate two-posts.toml weights.csv --fit ei
+  sinew calibrate two-posts.toml weights.csv --fit ei,holes --set friction.contacts=0.2
+
+The fit starts from the scene's own values, which --set changes; frictions that the
+scene does not have start from 0.2, 0.2 and a loss of 0.1.";
 
 const COMPARE_EXAMPLES: &str = "\
 Examples:
@@ -110,6 +121,8 @@ pub(super) enum Command {
     Force(Force),
     /// Follows a cable's pull or load there and back, with the loop it makes.
     Cycle(Cycle),
+    /// Fits stiffness and friction to measured forces and pulls.
+    Calibrate(Calibrate),
     /// Compares a measured backbone with the computed one.
     Compare(Compare),
     /// Computes the samples of a study: what a design's sizes do to outputs.
@@ -347,6 +360,50 @@ pub(super) struct Cycle {
     pub out: Option<PathBuf>,
 
     /// How to print the result; CSV has a row for each state.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+
+    #[command(flatten)]
+    pub edits: Edits,
+}
+
+#[derive(Args)]
+#[command(after_help = CALIBRATE_EXAMPLES)]
+pub(super) struct Calibrate {
+    /// The scene file. Its cables slide, whatever it says.
+    pub scene: PathBuf,
+
+    /// The readings: CSV with load_g, the whole weight on the first cable,
+    /// load_from_contact_g, or pull_mm, and force_g, the force on all
+    /// obstacles; under a load pull_mm is a reading, too. A column named by a
+    /// key of the scene, as obstacle[0].point_mm[0], sets it for its row. - for
+    /// standard input.
+    pub measured: PathBuf,
+
+    /// What to fit: ei, holes, contacts, base_loss, with commas between.
+    #[arg(long, value_name = "NAME,…")]
+    pub fit: String,
+
+    /// How far a force may be off, in grams, which weighs forces against pulls
+    /// where both were read.
+    #[arg(
+        long,
+        value_name = "G",
+        default_value_t = 0.5,
+        allow_hyphen_values = true
+    )]
+    pub force_error: f64,
+
+    /// The same of a pull, in mm.
+    #[arg(
+        long,
+        value_name = "MM",
+        default_value_t = 0.1,
+        allow_hyphen_values = true
+    )]
+    pub pull_error: f64,
+
+    /// How to print the result; CSV has a row for each reading.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
 

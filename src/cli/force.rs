@@ -14,10 +14,10 @@ use crate::forces::{
 };
 use crate::mechanics::{Model, Problem};
 use crate::record::force::{
-    ByMultipliers, ByVirtualWork, Forces, Line, Loaded, Row, SCHEMA, Share,
+    ByMultipliers, ByVirtualWork, Forces, Frictionless, Line, Loaded, Row, SCHEMA, Share,
 };
 use crate::robot::part_name;
-use crate::scene::{Measurements, Scene};
+use crate::scene::{Friction, Measurements, Mechanics, Scene};
 use crate::units::{
     degrees, grams, metres, millimetres, newton_square_metres, newton_square_millimetres, newtons,
     pascals,
@@ -122,6 +122,10 @@ fn estimate(
         }
         None => None,
     };
+    let beside = match &loading {
+        Some((ei, ..)) => frictionless(scene, *ei, loads),
+        None => None,
+    };
     let (contacts, pull_mm) = shares(scene, problem, &mut unreached);
     let mut rows = Vec::with_capacity(loads.len());
     for load_g in loads {
@@ -147,6 +151,7 @@ fn estimate(
             force_x_g: force.map(|force| grams(force.x)),
             force_y_g: force.map(|force| grams(force.y) + 0.0),
             multipliers: state,
+            frictionless_force_g: beside.as_ref().and_then(|beside| pressed_g(beside, load)),
         });
     }
     if let Some((_, _, LoadSteps { end: Some(end), .. })) = &loading {
@@ -168,9 +173,35 @@ fn estimate(
             contact_pull_mm: loading.contact.map(millimetres),
             tension_at_contact_g: grams(loading.datum),
         }),
+        frictionless: beside.map(|beside| Frictionless {
+            contact_pull_mm: beside.contact.map(millimetres),
+            tension_at_contact_g: grams(beside.datum),
+        }),
         loads: rows,
         reason: unreached.reason(),
     })
+}
+
+/// The same robot with a cable that slides without friction, under loads in grams; none
+/// where the scene's own is that, or where it has no such cable.
+fn frictionless(scene: &Scene, stiffness: Stiffness, loads: &[f64]) -> Option<LoadSteps> {
+    if scene.model.mechanics == Mechanics::Sliding && scene.friction.is_none() {
+        return None;
+    }
+    let mut beside = scene.clone();
+    beside.model.mechanics = Mechanics::Sliding;
+    beside.friction = Friction::default();
+    let problem = Problem::new(&beside).ok()?;
+    let problem = problem.with_stiffness(stiffness.value());
+    let loads: Vec<f64> = loads.iter().map(|load| newtons(*load)).collect();
+    LoadSteps::of(&problem, stiffness, &loads).ok()
+}
+
+/// The sum of what obstacles press with under a load in newtons, in grams.
+fn pressed_g(steps: &LoadSteps, load: f64) -> Option<f64> {
+    let state = steps.states.iter().find(|state| state.load == load)?;
+    let contacts = state.statics.contacts.iter();
+    Some(grams(contacts.map(|contact| contact.normal_force).sum()))
 }
 
 /// The estimator of virtual work, with what is told about it.

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::output::pull_shown;
 use crate::math::{decimals, typeset, unsigned_zero};
-use crate::record::force::{ByVirtualWork, Forces};
+use crate::record::force::{ByVirtualWork, Forces, Frictionless};
 use crate::scene::limits;
 use crate::units::metres;
 
@@ -22,6 +22,9 @@ pub(super) fn text(out: &mut impl Write, found: &Forces) -> io::Result<()> {
         writeln!(out, "Cables that slide through the disks\n")?;
     }
     multipliers(out, found)?;
+    if let Some(beside) = &found.frictionless {
+        frictionless(out, beside, is_papers(found))?;
+    }
     table(out, found)
 }
 
@@ -117,8 +120,26 @@ fn multipliers(out: &mut impl Write, found: &Forces) -> io::Result<()> {
     Ok(())
 }
 
+fn frictionless(out: &mut impl Write, beside: &Frictionless, papers: bool) -> io::Result<()> {
+    let what = if papers {
+        "With a cable that slides without friction"
+    } else {
+        "Without friction"
+    };
+    match beside.contact_pull_mm {
+        Some(pull) => writeln!(
+            out,
+            "  {what}: contact from a pull of {} mm, with {} g on the cable",
+            decimals(pull, 3),
+            decimals(beside.tension_at_contact_g, 1)
+        ),
+        None => writeln!(out, "  {what}: no contact"),
+    }
+}
+
 fn table(out: &mut impl Write, found: &Forces) -> io::Result<()> {
     let both = found.by_multipliers.is_some();
+    let beside = found.frictionless.is_some();
     if found.loads.is_empty() {
         return Ok(());
     }
@@ -129,6 +150,10 @@ fn table(out: &mut impl Write, found: &Forces) -> io::Result<()> {
     }
     if both {
         write!(out, "  {:>8}  {:>8}  {:>8}", "pull", "tension", "force")?;
+        if beside {
+            let name = if papers { "sliding" } else { "no friction" };
+            write!(out, "  {name:>11}")?;
+        }
         write!(out, "  {}", if papers { "by multipliers" } else { "on" })?;
     }
     write!(out, "\n  {:>8}", "g")?;
@@ -137,6 +162,9 @@ fn table(out: &mut impl Write, found: &Forces) -> io::Result<()> {
     }
     if both {
         write!(out, "  {:>8}  {:>8}  {:>8}", "mm", "g", "g")?;
+        if beside {
+            write!(out, "  {:>11}", "g")?;
+        }
     }
     writeln!(out)?;
     let force = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |g| typeset(g, 2));
@@ -151,12 +179,15 @@ fn table(out: &mut impl Write, found: &Forces) -> io::Result<()> {
             let parts = parts.map(|c| format!("{} g at {}", typeset(c.force_g, 2), c.contact));
             write!(
                 out,
-                "  {:>8}  {:>8}  {:>8}  {}",
+                "  {:>8}  {:>8}  {:>8}",
                 decimals(loaded.pull_mm, 3),
                 decimals(loaded.tension_g, 1),
-                decimals(loaded.force_g, 2),
-                parts.collect::<Vec<_>>().join("; ")
+                decimals(loaded.force_g, 2)
             )?;
+            if beside {
+                write!(out, "  {:>11}", force(row.frictionless_force_g))?;
+            }
+            write!(out, "  {}", parts.collect::<Vec<_>>().join("; "))?;
         }
         writeln!(out)?;
     }

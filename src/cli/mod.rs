@@ -5,6 +5,7 @@
 //! not converge and 1 where the results could not be made or written.
 
 mod arguments;
+mod calibrate;
 mod check;
 mod compare;
 mod cycle;
@@ -64,6 +65,7 @@ pub fn run() -> ExitCode {
         Command::Draw(what) => draw::run(&what),
         Command::Force(what) => force::run(&what),
         Command::Cycle(what) => cycle::run(&what),
+        Command::Calibrate(what) => calibrate::run(&what),
         Command::Compare(what) => compare::run(&what),
         Command::Explore(what) => explore::run(&what),
         Command::Merge(what) => explore::merge(&what),

@@ -3,6 +3,7 @@
 
 use crate::forces::{Rates, Sweep, Window};
 use crate::geometry::Vector;
+use crate::scene::Friction;
 
 /// The numbers behind one drawing, or two that share them.
 #[derive(Clone, Debug)]
@@ -16,7 +17,7 @@ pub enum Data {
     /// The force on the load cell against the load.
     CellForces(Vec<CellForces>),
     /// The force at several disks against the load.
-    DiskForces(Vec<DiskForces>),
+    DiskForces(DiskModel, Vec<DiskForces>),
     /// How well each measured point would do as the one that fixes μ.
     CalibrationErrors(Vec<CalibrationErrors>),
 }
@@ -63,11 +64,38 @@ pub enum Forces {
         /// The cell's distance d from the straight backbone, in mm.
         distance_mm: f64,
     },
+    /// Of a cable that slides with friction that was fitted to the readings.
+    Rubbing {
+        /// The cell's distance d from the straight backbone, in mm.
+        distance_mm: f64,
+    },
     /// The load cell's readings.
     Measured {
         /// The cell's distance d from the straight backbone, in mm.
         distance_mm: f64,
     },
+}
+
+impl Forces {
+    /// Of a cable that slides with this friction, which was fitted where there is any.
+    pub(super) fn of_sliding(friction: &Friction, distance_mm: f64) -> Self {
+        if friction.is_none() {
+            Self::Sliding { distance_mm }
+        } else {
+            Self::Rubbing { distance_mm }
+        }
+    }
+}
+
+/// By which model forces at other disks are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DiskModel {
+    /// Eq. 11.
+    VirtualWork,
+    /// A cable that slides without friction.
+    Frictionless,
+    /// A cable that slides with friction, fitted at disk 3 from the top.
+    Rubbing,
 }
 
 /// Forces on the load cell.
@@ -79,7 +107,7 @@ pub struct CellForces {
     pub by_load_g: Vec<(f64, f64)>,
 }
 
-/// Forces of a contact at a disk, by eq. 11.
+/// Forces of a contact at a disk.
 #[derive(Clone, Debug)]
 pub struct DiskForces {
     /// The disk, from 1 at the tip.

@@ -1,22 +1,23 @@
-//! Fig. 9, 10a, 10b and Table 1: the robot against a load cell, and the force
+//! Fig. 9, 10a and Table 1: the robot against a load cell, and the force
 //! it presses with by virtual work and by multipliers.
 
 use super::ExperimentError;
-use super::data::{CalibrationErrors, CellForces, Data, DiskForces, Forces};
+use super::data::{CalibrationErrors, CellForces, Data, Forces};
 use super::item::{Check, Id, Item};
 use super::scenes::{PaperScene, picture, solved_at};
-use super::sliding_cell::{SlidingCell, with_friction};
+use super::sliding_cell::{FITTED, SlidingCell, errors_by_model, named};
 use super::table::{ForceRow, ForceTable};
 use super::tip::{WINDOW_MM, free_rates};
 use super::window::pull_window;
 use crate::forces::VirtualWork;
 use crate::math::typeset;
+use crate::scene::Friction;
 use crate::units::{grams, metres, millimetres, newtons};
 
 /// The measured point that fixes μ: 250 g with the cell at 31 mm. The text does
 /// not say which point the paper took; this one gives its theory column.
 const CALIBRATION_G: f64 = 250.0;
-const CALIBRATION_MM: f64 = 31.0;
+pub(super) const CALIBRATION_MM: f64 = 31.0;
 
 /// How far the paper's theory may be from ours: what rounding to 0.1 g and a
 /// calibration on rounded readings leave.
@@ -52,7 +53,7 @@ const GREATEST_BOUND_G: f64 = 0.5;
 const AVERAGE_BOUND_G: f64 = 0.9;
 
 /// The estimator of the free robot's tip, calibrated on the table's point.
-fn calibrated(table: &ForceTable) -> Result<VirtualWork, ExperimentError> {
+pub(super) fn calibrated(table: &ForceTable) -> Result<VirtualWork, ExperimentError> {
     calibrated_on(table, CALIBRATION_G, CALIBRATION_MM, WINDOW_MM)
 }
 
@@ -79,23 +80,24 @@ fn calibrated_on(
     )?)
 }
 
-fn force_g(estimator: &VirtualWork, load_g: f64) -> f64 {
+pub(super) fn force_g(estimator: &VirtualWork, load_g: f64) -> f64 {
     grams(newtons(load_g) * estimator.force_per_load())
 }
 
-/// What a cable that slides without friction presses with.
-fn sliding(cell: &SlidingCell, distance_mm: f64) -> CellForces {
+/// What a cable that slides presses with.
+fn sliding(cell: &SlidingCell, of: Forces) -> CellForces {
     CellForces {
-        of: Forces::Sliding { distance_mm },
+        of,
         by_load_g: cell.by_load_g.clone(),
     }
 }
 
 /// What is to be known of it.
-const ABOUT_SLIDING: &str = "The sliding cable runs through the disks. Without friction nothing \
-    is fitted; EI = 8000 N mm² was chosen, and forces depend on it by a few percent. With \
-    friction, μ = 0.275 in holes and on the cell and 16.5 % of the load lost below the base are \
-    fitted to all 28 forces at once; the data cannot tell these three apart.";
+pub(super) const ABOUT_SLIDING: &str = "The sliding cable runs through the disks. Without \
+    friction nothing is fitted; EI = 8000 N mm² was chosen, and forces depend on it by a few \
+    percent. With friction, μ = 0.275 in holes and on the cell and 16.5 % of the load lost below \
+    the base are fitted to all 28 forces of Table 1 at once; the data cannot tell these three \
+    apart.";
 
 /// Measured forces over loads at one distance.
 fn measured(table: &ForceTable, column: usize) -> CellForces {
@@ -150,7 +152,7 @@ pub(super) fn figure_9(table: &ForceTable) -> Result<Item, ExperimentError> {
     let disk = cell.node / bay + 1;
     let disks = problem.robot().segments / bay + 1;
     let height_mm = millimetres(cell.point.y);
-    let checks = vec![
+    let mut checks = vec![
         Check::near(
             "Node that touches, from 1",
             "",
@@ -182,13 +184,16 @@ pub(super) fn figure_9(table: &ForceTable) -> Result<Item, ExperimentError> {
             HEIGHT_MM,
         ),
         Check::ours("Pull at which it touches", "mm", onset).decimals(3),
-        Check::ours(
-            "The same of a cable that slides",
-            "mm",
-            millimetres(SlidingCell::at(FIG_9_MM, table)?.contact),
-        )
-        .decimals(3),
     ];
+    for friction in [Friction::default(), FITTED] {
+        let cell = SlidingCell::at(FIG_9_MM, friction, table)?;
+        let of = named(&friction);
+        let pull_mm = millimetres(cell.contact);
+        checks.push(Check::ours(format!("The same, {of}"), "mm", pull_mm).decimals(3));
+        let load_g = grams(cell.datum);
+        checks
+            .push(Check::ours(format!("Load at which it touches, {of}"), "g", load_g).decimals(1));
+    }
     let pull_mm = scene.pull_mm();
     let pressed = solved_at(&problem, pull_mm)?;
     Ok(Item {
@@ -201,6 +206,7 @@ pub(super) fn figure_9(table: &ForceTable) -> Result<Item, ExperimentError> {
         data: Vec::new(),
         pictures: vec![picture("robot", &scene, pressed)],
         notes: vec![
+            ABOUT_SLIDING.to_owned(),
             format!(
                 "The cell is said to stand 127 mm above the base; the node, 140 mm along the robot, \
                  touches it at {height_mm:.1} mm. The text does not say which of the cell's points is \
@@ -243,8 +249,7 @@ pub(super) fn figure_10a(table: &ForceTable) -> Result<Item, ExperimentError> {
     let mut forces = theories(table, &estimator).to_vec();
     // Fig. 8's 26 mm is nearest to the table's first distance.
     forces.push(measured(table, 0));
-    let cell = SlidingCell::at(table.distances_mm()[0], table)?;
-    forces.push(sliding(&cell, table.distances_mm()[0]));
+    let nearest = table.distances_mm()[0];
     let mut checks: Vec<Check> = theory_checks(table, &estimator);
     let errors = table.errors(|row| force_g(&estimator, row.load_g));
     let first = |errors: &super::Errors| errors.by_distance_g[0];
@@ -253,7 +258,6 @@ pub(super) fn figure_10a(table: &ForceTable) -> Result<Item, ExperimentError> {
         rows.map(|row| (theory(row) - row.measured_g[0]).abs())
             .fold(0.0, f64::max)
     };
-    let nearest = table.distances_mm()[0];
     checks.push(Check::below(
         format!("Greatest error, against Table 1 at d = {nearest} mm"),
         "g",
@@ -271,8 +275,18 @@ pub(super) fn figure_10a(table: &ForceTable) -> Result<Item, ExperimentError> {
         "g",
         first(&errors),
     ));
-    let quantity = format!("Force over load, sliding cable without friction, d = {nearest} mm");
-    checks.push(Check::ours(quantity, "", cell.force_per_load()).decimals(4));
+    let papers = first(&table.errors(|row| row.theory_g));
+    let quantity = format!("The same of the paper's own theory, d = {nearest} mm");
+    checks.push(Check::ours(quantity, "g", papers).decimals(3));
+    for friction in [Friction::default(), FITTED] {
+        let cell = SlidingCell::at(nearest, friction, table)?;
+        let at = format!("{}, d = {nearest} mm", named(&friction));
+        let quantity = format!("Force over load, {at}");
+        checks.push(Check::ours(quantity, "", cell.force_per_load()).decimals(4));
+        let error_g = cell.mean_error_g(table, 0);
+        checks.push(Check::ours(format!("Average error, {at}"), "g", error_g).decimals(3));
+        forces.push(sliding(&cell, Forces::of_sliding(&friction, nearest)));
+    }
     Ok(Item {
         id: Id::Fig10a,
         title: "Force over load, third disk from the top",
@@ -292,68 +306,6 @@ pub(super) fn figure_10a(table: &ForceTable) -> Result<Item, ExperimentError> {
         missing: vec![
             "The figure's measured values, at d = 26 mm, are not in the text; shown are Table 1's \
              at the nearest distance."
-                .to_owned(),
-        ],
-    })
-}
-
-pub(super) fn figure_10b(table: &ForceTable) -> Result<Item, ExperimentError> {
-    let tip = calibrated(table)?;
-    let friction = tip.friction();
-    let (_, problem) = PaperScene::Free.problem()?;
-    let robot = *problem.robot();
-    let bay = robot.segments_per_bay;
-    let mut disks = Vec::new();
-    let mut checks = Vec::new();
-    for from_top in [1_usize, 2, 3, 4] {
-        let node = robot.segments - (from_top - 1) * bay;
-        let rates = free_rates(node, WINDOW_MM)?;
-        let estimator = VirtualWork::new(robot.offset, rates, friction)?;
-        let rows = table.rows().iter();
-        let by_load_g = rows.map(|row| (row.load_g, force_g(&estimator, row.load_g)));
-        let disk = DiskForces {
-            from_top,
-            by_load_g: by_load_g.collect(),
-        };
-        checks.push(
-            Check::ours(
-                format!("Force over load at {} (node {})", disk.name(), node + 1),
-                "",
-                estimator.force_per_load(),
-            )
-            .decimals(4),
-        );
-        let cell = SlidingCell::at_node(CALIBRATION_MM, node, table)?;
-        let quantity = format!(
-            "… of a sliding cable without friction, d = {CALIBRATION_MM} mm (node {})",
-            node + 1
-        );
-        checks.push(Check::ours(quantity, "", cell.force_per_load()).decimals(4));
-        disks.push(disk);
-    }
-    let caveats = VirtualWork::new(
-        robot.offset,
-        free_rates(robot.segments - 2 * bay, WINDOW_MM)?,
-        friction,
-    )?
-    .caveats(robot.segments);
-    let mut notes = vec![
-        "Eq. 11 with each node's own slopes and the μ of Table 1. The lower the contact, the less \
-         it moves per pull and the harder it presses."
-            .to_owned(),
-    ];
-    notes.extend(caveats.iter().map(|c| format!("{c}.")));
-    Ok(Item {
-        id: Id::Fig10b,
-        title: "Force over load at other contact points",
-        about: "Virtual work at the nodes of the four upper disks.".to_owned(),
-        checks,
-        data: vec![Data::DiskForces(disks)],
-        pictures: Vec::new(),
-        notes,
-        missing: vec![
-            "The text gives neither the figure's values nor its contact points: these curves have \
-             nothing to be compared with."
                 .to_owned(),
         ],
     })
@@ -427,7 +379,7 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
             .decimals(4),
         );
         checks.push(Check::ours(format!("… after 3 mm more of pull, {at}"), "", later).decimals(4));
-        let cell = SlidingCell::at(*distance, table)?;
+        let cell = SlidingCell::at(*distance, Friction::default(), table)?;
         checks.push(
             Check::near(
                 format!("… sliding cable without friction, {at} (measured, through 0)"),
@@ -438,11 +390,23 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
             )
             .decimals(4),
         );
-        cells.push(sliding(&cell, *distance));
+        cells.push(cell);
     }
-    checks.extend(with_friction(table)?);
-    let mut forces = [theories(table, &estimator).to_vec(), cells].concat();
-    forces.extend((0..distances.len()).map(|column| measured(table, column)));
+    let rubbing = distances.iter().map(|d| SlidingCell::at(*d, FITTED, table));
+    let rubbing: Vec<SlidingCell> = rubbing.collect::<Result<_, _>>()?;
+    checks.extend(errors_by_model(table, &paper, &cells, &rubbing));
+    let readings = || (0..distances.len()).map(|column| measured(table, column));
+    let of_cells = |cells: &[SlidingCell], friction: Friction| -> Vec<CellForces> {
+        let pairs = cells.iter().zip(distances);
+        pairs
+            .map(|(cell, d)| sliding(cell, Forces::of_sliding(&friction, *d)))
+            .collect()
+    };
+    let mut forces = theories(table, &estimator).to_vec();
+    forces.extend(of_cells(&cells, Friction::default()));
+    forces.extend(readings());
+    let mut rubbed = of_cells(&rubbing, FITTED);
+    rubbed.extend(readings());
     Ok(Item {
         id: Id::Table1,
         title: "Force over load at four distances",
@@ -453,6 +417,7 @@ pub(super) fn table_1(table: &ForceTable) -> Result<Item, ExperimentError> {
         checks,
         data: vec![
             Data::CellForces(forces),
+            Data::CellForces(rubbed),
             Data::CalibrationErrors(sensitivity(table)?),
         ],
         pictures: Vec::new(),

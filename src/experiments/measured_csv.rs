@@ -15,6 +15,8 @@ mod record;
 mod table;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "cli")]
+mod trials;
 
 use super::MeasuredPoint;
 use crate::geometry::Vector;
@@ -28,6 +30,8 @@ pub use fault::SheetFault;
 pub use left_out::LeftOut;
 #[cfg(feature = "cli")]
 pub(crate) use table::records;
+#[cfg(feature = "cli")]
+pub use trials::{Trial, Trials, Weight};
 
 /// What a file of measurements holds.
 #[derive(Clone, Debug, PartialEq)]

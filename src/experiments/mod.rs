@@ -11,6 +11,8 @@
 //! millimetres, grams, degrees.
 
 mod best_pull;
+#[cfg(feature = "cli")]
+pub mod calibration;
 mod data;
 mod item;
 mod links;
@@ -18,6 +20,7 @@ mod load_cell;
 mod measured;
 #[cfg(any(feature = "app", feature = "cli"))]
 pub mod measured_csv;
+mod other_disks;
 mod scenes;
 mod shape_fit;
 mod shapes;
@@ -28,7 +31,8 @@ mod window;
 
 pub use best_pull::{PullSearch, ShapeError, best_pull};
 pub use data::{
-    Backbone, CalibrationErrors, CellForces, Data, DiskForces, Forces, PostMultipliers, TipMotion,
+    Backbone, CalibrationErrors, CellForces, Data, DiskForces, DiskModel, Forces, PostMultipliers,
+    TipMotion,
 };
 pub use item::{Check, Id, Item, Picture, Verdict};
 pub use measured::{Measured, MeasuredFault, MeasuredPoint};
@@ -81,7 +85,7 @@ pub fn reproduce(id: Id, table: &ForceTable) -> Result<Item, ExperimentError> {
         Id::Fig7 => tip::figure_7(),
         Id::Fig9 => load_cell::figure_9(table),
         Id::Fig10a => load_cell::figure_10a(table),
-        Id::Fig10b => load_cell::figure_10b(table),
+        Id::Fig10b => other_disks::figure_10b(table),
         Id::Table1 => load_cell::table_1(table),
     }
 }

@@ -5,7 +5,7 @@
 use super::ExperimentError;
 use super::item::Check;
 use super::scenes::PaperScene;
-use super::table::ForceTable;
+use super::table::{Errors, ForceTable};
 use crate::forces::{LoadSteps, Stiffness};
 use crate::mechanics::Problem;
 use crate::scene::{Friction, Line, Listed, Mechanics, Scene, Shape};
@@ -20,10 +20,21 @@ pub(super) const FITTED: Friction = Friction {
     base_loss: 0.165,
 };
 
+/// What a cable is called that slides with this friction.
+pub(super) fn named(friction: &Friction) -> &'static str {
+    if friction.is_none() {
+        "sliding cable without friction"
+    } else {
+        "sliding cable with friction"
+    }
+}
+
 /// The robot pressed against the cell by loads.
 pub(super) struct SlidingCell {
     /// The pull at which it begins to press, in metres.
     pub contact: f64,
+    /// The load at which it begins to press, in N.
+    pub datum: f64,
     /// The load counted from there, and the force on the cell, both in grams.
     pub by_load_g: Vec<(f64, f64)>,
 }
@@ -31,17 +42,22 @@ pub(super) struct SlidingCell {
 impl SlidingCell {
     /// The cell at a distance from the straight backbone, in mm, under the table's
     /// loads.
-    pub(super) fn at(distance_mm: f64, table: &ForceTable) -> Result<Self, ExperimentError> {
-        Self::of(distance_mm, None, Friction::default(), table)
+    pub(super) fn at(
+        distance_mm: f64,
+        friction: Friction,
+        table: &ForceTable,
+    ) -> Result<Self, ExperimentError> {
+        Self::of(distance_mm, None, friction, table)
     }
 
     /// The same where another node of the cable, from 1, is kept off the cell.
     pub(super) fn at_node(
         distance_mm: f64,
         node: usize,
+        friction: Friction,
         table: &ForceTable,
     ) -> Result<Self, ExperimentError> {
-        Self::of(distance_mm, Some(node), Friction::default(), table)
+        Self::of(distance_mm, Some(node), friction, table)
     }
 
     fn of(
@@ -69,13 +85,14 @@ impl SlidingCell {
         if let Some(end) = steps.end {
             return Err(end.into());
         }
-        let contact = steps.contact;
+        let (contact, datum) = (steps.contact, steps.datum);
         let forces = steps.states.iter().map(|state| {
             let contacts = state.statics.contacts.iter();
             grams(contacts.map(|contact| contact.normal_force).sum())
         });
         Ok(Self {
             contact: contact.ok_or(ExperimentError::NoContact("the load cell"))?,
+            datum,
             by_load_g: loads_g.into_iter().zip(forces).collect(),
         })
     }
@@ -88,30 +105,56 @@ impl SlidingCell {
         });
         product / square
     }
+
+    /// The mean |error| against the forces measured at a distance of the table, by its
+    /// place, in grams.
+    pub(super) fn mean_error_g(&self, table: &ForceTable, column: usize) -> f64 {
+        let pairs = table.rows().iter().zip(&self.by_load_g);
+        let errors = pairs.map(|(row, (_, force))| (force - row.measured_g[column]).abs());
+        errors.sum::<f64>() / table.rows().len() as f64
+    }
 }
 
-/// What the fitted friction makes of the table: force over load and the average error by
-/// distance, and the error over all.
-pub(super) fn with_friction(table: &ForceTable) -> Result<Vec<Check>, ExperimentError> {
+/// What the two sliding cables make of the table, by distance and over all: force over
+/// load with friction, and the average errors, the paper's own beside them.
+pub(super) fn errors_by_model(
+    table: &ForceTable,
+    paper: &Errors,
+    frictionless: &[SlidingCell],
+    rubbing: &[SlidingCell],
+) -> Vec<Check> {
     let mut checks = Vec::new();
-    let (mut sum, mut count) = (0.0, 0);
+    let models = [
+        ("sliding cable without friction", frictionless),
+        ("sliding cable with friction (fitted)", rubbing),
+    ];
+    let error = |of: String, error_g: f64| {
+        Check::ours(format!("Average error{of}"), "g", error_g).decimals(3)
+    };
     for (column, distance) in table.distances_mm().iter().enumerate() {
-        let cell = SlidingCell::of(*distance, None, FITTED, table)?;
-        let pairs = table.rows().iter().zip(&cell.by_load_g);
-        let errors = pairs.map(|(row, (_, force))| (force - row.measured_g[column]).abs());
-        let here: f64 = errors.sum();
-        sum += here;
-        count += table.rows().len();
-        let at = format!("sliding cable with friction (fitted), d = {distance} mm");
-        checks.push(
-            Check::ours(format!("Force over load, {at}"), "", cell.force_per_load()).decimals(4),
-        );
-        let mean = here / table.rows().len() as f64;
-        checks.push(Check::ours(format!("Average error, {at}"), "g", mean).decimals(3));
+        let at = format!("d = {distance} mm");
+        let papers_g = paper.by_distance_g[column];
+        checks.push(error(format!(", the paper's theory, {at}"), papers_g));
+        for (model, cells) in models {
+            let error_g = cells[column].mean_error_g(table, column);
+            checks.push(error(format!(", {model}, {at}"), error_g));
+        }
+        let quantity = format!("Force over load, sliding cable with friction (fitted), {at}");
+        checks.push(Check::ours(quantity, "", rubbing[column].force_per_load()).decimals(4));
     }
-    let name = "Average error over all 28, sliding cable with friction (fitted)";
-    checks.push(Check::ours(name, "g", sum / f64::from(count as u32)).decimals(3));
-    Ok(checks)
+    checks.push(error(
+        " over all 28, the paper's theory".to_owned(),
+        paper.mean_g,
+    ));
+    for (model, cells) in models {
+        let means = cells.iter().enumerate();
+        let sum: f64 = means.map(|(k, cell)| cell.mean_error_g(table, k)).sum();
+        checks.push(error(
+            format!(" over all 28, {model}"),
+            sum / cells.len() as f64,
+        ));
+    }
+    checks
 }
 
 fn move_cell(scene: &mut Scene, distance_mm: f64) {

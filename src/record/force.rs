@@ -38,6 +38,10 @@ pub struct Forces {
     /// Where the stiffness is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub by_multipliers: Option<ByMultipliers>,
+    /// Where the stiffness is known: a cable that slides without friction, beside the
+    /// paper's model and beside one that rubs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frictionless: Option<Frictionless>,
     /// The loads that are reached.
     pub loads: Vec<Row>,
     /// Why something is missing.
@@ -131,6 +135,17 @@ pub struct ByMultipliers {
     pub tension_at_contact_g: f64,
 }
 
+/// The same robot with a cable that slides without friction. Its loads count from its
+/// own contact.
+#[derive(Serialize)]
+pub struct Frictionless {
+    /// The pull at which it begins to press; none where it does not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contact_pull_mm: Option<f64>,
+    /// The tension there, which loads count from.
+    pub tension_at_contact_g: f64,
+}
+
 /// A load with the forces under it.
 #[derive(Serialize)]
 pub struct Row {
@@ -145,6 +160,10 @@ pub struct Row {
     /// By multipliers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub multipliers: Option<Loaded>,
+    /// The sum of the normal forces on obstacles of [`Forces::frictionless`], where it
+    /// gets there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frictionless_force_g: Option<f64>,
 }
 
 /// The state under a load, by multipliers.
@@ -224,6 +243,9 @@ impl Forces {
         if self.by_multipliers.is_some() {
             head.extend(["pull_mm", "tension_g", "multipliers_g"]);
         }
+        if self.frictionless.is_some() {
+            head.push("frictionless_g");
+        }
         head
     }
 
@@ -237,6 +259,9 @@ impl Forces {
             if let Some(loaded) = &row.multipliers {
                 let numbers = [loaded.pull_mm, loaded.tension_g, loaded.force_g];
                 fields.extend(numbers.map(Some));
+            }
+            if self.frictionless.is_some() {
+                fields.push(row.frictionless_force_g);
             }
             let written = fields
                 .iter()

@@ -9,6 +9,8 @@
 //! them, in grams. JSON and tables have every digit and no zero with a sign. It
 //! writes no files.
 
+#[cfg(feature = "cli")]
+pub mod calibration;
 pub mod force;
 #[cfg(feature = "cli")]
 pub mod json;

@@ -75,11 +75,17 @@ pub fn html(items: &[Item], pictures: &[Vec<Figure>]) -> Result<String, ChartErr
         env!("CARGO_PKG_VERSION")
     );
     body.push_str(
-        "<p>What each model assumes: <em>virtual work</em>, the paper’s eq. 11, takes the motion \
-         of the free robot and one measured force for that of the robot in contact; the \
-         <em>multipliers</em> of its eq. 5 hold the cable in every disk, so that all its segments \
-         shorten alike; the <em>sliding cable</em> runs through the disks with one tension all \
-         along, here without friction.</p>\n",
+        "<p>What each model assumes: <em>virtual work</em>, the paper’s eq. 11, takes the motion of \
+         the free robot for that of the robot in contact, and fits one factor, its μ, to one \
+         measured force. The <em>multipliers</em> of its eq. 5 hold the cable in every disk, so \
+         that all its segments shorten alike, and understate forces near contact. The \
+         <em>sliding cable without friction</em> runs through the disks with one tension all \
+         along, and fits nothing. The <em>sliding cable with friction</em> loses tension at \
+         every hole, rubs on what it touches and loses a share of its load below the base, by \
+         three constants that are fitted to all 28 forces of Table 1 at once and that these \
+         cannot tell apart. All of them take a backbone that bends and does not stretch, in one \
+         plane, drawn in slowly; only what no constant was fitted to is called \
+         predicted.</p>\n",
     );
     body.push_str(&tally(items));
     body.push_str("<nav aria-label=Contents>");

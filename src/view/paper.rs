@@ -3,8 +3,8 @@
 use super::chart::{Axis, Chart, CurveStyle, Series};
 use super::compared::outline;
 use crate::experiments::{
-    Backbone, CalibrationErrors, CellForces, Data, DiskForces, Forces, Item, PostMultipliers,
-    TipMotion,
+    Backbone, CalibrationErrors, CellForces, Data, DiskForces, DiskModel, Forces, Item,
+    PostMultipliers, TipMotion,
 };
 use crate::forces::{LineFit, SweepPoint};
 use crate::units::{degrees, millimetres, per_millimetre};
@@ -16,7 +16,7 @@ pub fn charts(item: &Item) -> Vec<Chart> {
         Data::Multipliers(posts) => vec![multipliers(posts)],
         Data::TipMotion(motion) => vec![displacement(motion), slope(motion)],
         Data::CellForces(forces) => vec![cell_forces(forces)],
-        Data::DiskForces(forces) => vec![disk_forces(forces)],
+        Data::DiskForces(model, forces) => vec![disk_forces(*model, forces)],
         Data::CalibrationErrors(errors) => vec![calibration(errors)],
     };
     item.data.iter().flat_map(of).collect()
@@ -120,29 +120,51 @@ fn cell_forces(forces: &[CellForces]) -> Chart {
                 format!("sliding cable, no friction, d = {distance_mm} mm"),
                 CurveStyle::Line,
             ),
+            Forces::Rubbing { distance_mm } => (
+                format!("sliding cable, fitted friction, d = {distance_mm} mm"),
+                CurveStyle::Line,
+            ),
             Forces::Measured { distance_mm } => {
                 (format!("measured, d = {distance_mm} mm"), CurveStyle::Dots)
             }
         };
         Series::new(name, style, curve.by_load_g.clone())
     });
+    // Where no theory of the paper's is among them, it is about friction.
+    let is_papers = forces.iter().any(|curve| curve.of == Forces::Papers);
+    let (title, word) = if is_papers {
+        ("Force on the load cell", "force")
+    } else {
+        ("Force on the load cell, with fitted friction", "friction")
+    };
     Chart {
-        title: "Force on the load cell".to_owned(),
-        word: "force",
+        title: title.to_owned(),
+        word,
         x: LOAD,
         y: FORCE,
         series: series.collect(),
     }
 }
 
-fn disk_forces(forces: &[DiskForces]) -> Chart {
+fn disk_forces(model: DiskModel, forces: &[DiskForces]) -> Chart {
     let series = forces.iter().map(|disk| {
         let points = disk.by_load_g.clone();
         Series::new(disk.name(), CurveStyle::Line, points)
     });
+    let (title, word) = match model {
+        DiskModel::VirtualWork => ("Force by contact point, virtual work", "force"),
+        DiskModel::Frictionless => (
+            "Force by contact point, sliding cable without friction",
+            "sliding",
+        ),
+        DiskModel::Rubbing => (
+            "Force by contact point, sliding cable with friction fitted at disk 3",
+            "friction",
+        ),
+    };
     Chart {
-        title: "Force by contact point".to_owned(),
-        word: "force",
+        title: title.to_owned(),
+        word,
         x: LOAD,
         y: FORCE,
         series: series.collect(),

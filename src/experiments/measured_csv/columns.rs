@@ -33,10 +33,10 @@ pub(super) struct Forces {
 }
 
 /// The names of a unit, how many of the scene's it is, and its sign.
-type Unit = (&'static [&'static str], f64, &'static str);
+pub(super) type Unit = (&'static [&'static str], f64, &'static str);
 
 /// Lengths, in mm.
-const LENGTHS: [Unit; 5] = [
+pub(super) const LENGTHS: [Unit; 5] = [
     (
         &[
             "mm",
@@ -65,7 +65,7 @@ const LENGTHS: [Unit; 5] = [
 ];
 
 /// Weights, in g.
-fn weights() -> [Unit; 4] {
+pub(super) fn weights() -> [Unit; 4] {
     let newton = grams(1.0);
     [
         (&["g", "gf", "gram", "grams"], 1.0, "g"),
@@ -131,15 +131,19 @@ impl Forces {
 }
 
 /// A column as its head has it.
-struct Named {
-    column: Column,
+pub(super) struct Named {
+    pub column: Column,
     /// Whether the head names its unit.
     has_unit: bool,
 }
 
 /// The first column of a name with a known unit: `x_mm`, `x (mm)`, `X [mm]`,
 /// `x/mm` or `x` alone.
-fn found(head: &Record, name: &[&str], units: &[Unit]) -> Result<Option<Named>, SheetFault> {
+pub(super) fn found(
+    head: &Record,
+    name: &[&str],
+    units: &[Unit],
+) -> Result<Option<Named>, SheetFault> {
     let mut strange = None;
     for (index, field) in head.fields.iter().enumerate() {
         let words = words(field);

@@ -129,6 +129,50 @@ pub enum SheetFault {
         /// The number.
         value: f64,
     },
+    /// No trials.
+    #[error(
+        "there are no rows of numbers; write them below a head such as load_g,force_g or pull_mm,force_g"
+    )]
+    NoTrials,
+    /// No head, where one has to tell what the numbers of trials are.
+    #[error("row {row}: there is no head; write one such as load_g,force_g above the numbers")]
+    NoTrialHead {
+        /// The first row.
+        row: usize,
+    },
+    /// A column that is neither measured nor a key of a scene.
+    #[error(
+        "row {row}: {found} is neither load_g, load_from_contact_g, pull_mm or force_g nor a key of the scene such as obstacle[0].point_mm[0]{}",
+        .nearest.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default()
+    )]
+    UnknownColumn {
+        /// The head's row.
+        row: usize,
+        /// The column, quoted.
+        found: String,
+        /// The known one spelled most like it, when one is near.
+        nearest: Option<&'static str>,
+    },
+    /// Two loads at once.
+    #[error("row {row}: both load_g and load_from_contact_g are given; leave one empty")]
+    TwoLoads {
+        /// The row.
+        row: usize,
+    },
+    /// Neither a load nor a pull.
+    #[error(
+        "row {row}: nothing tells what was done to the robot; give load_g, load_from_contact_g or pull_mm"
+    )]
+    NothingGiven {
+        /// The row, perhaps the head's.
+        row: usize,
+    },
+    /// Nothing that was measured.
+    #[error("row {row}: nothing was measured; give force_g, or pull_mm under a load")]
+    NothingRead {
+        /// The row, perhaps the head's.
+        row: usize,
+    },
     /// More rows than a scene can hold.
     #[error("there are {count} rows; at most {limit} are allowed: leave out every other one")]
     TooMany {
