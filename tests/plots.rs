@@ -136,7 +136,7 @@ fn walked(solution: &Solved) -> Vec<Step> {
     let at = |i: i32, lag: f64| {
         let cables = solution.cables.iter().map(|cable| Loaded {
             pull: cable.pull * (1.0 - 0.02 * f64::from(i)),
-            tension: cable.tension * (1.0 - 0.02 * f64::from(i)) * lag,
+            load: cable.load * (1.0 - 0.02 * f64::from(i)) * lag,
         });
         Step {
             cables: cables.collect(),
@@ -384,9 +384,24 @@ fn tensions_are_told_stretch_by_stretch() {
     let table = plots::csv(Plot::Load, &bench.data());
     assert_eq!(numbers(&table, "cable")[..4], [1.0, 2.0, 1.0, 2.0]);
     let loads = numbers(&table, "load_g");
-    let first = grams(newtons * bench.walked[0].cables[1].tension);
+    let first = grams(newtons * bench.walked[0].cables[1].load);
     assert!((loads[1] - first).abs() < 1e-9 * first);
     assert_eq!(loads.len(), 80);
+    // Where the cable rubs, the tension falls at every hole that it slips through.
+    assert_eq!(
+        column(&plots::csv(Plot::Tension, &bench.data()), "slips"),
+        [""; 14]
+    );
+    let mut rubs = scene(TWO_POSTS);
+    rubs.friction.holes = 0.275;
+    let bench = Bench::new(rubs, 0.008, &[]);
+    let table = plots::csv(Plot::Tension, &bench.data());
+    assert_eq!(column(&table, "slips"), ["in"; 9]);
+    let tensions = numbers(&table, "tension_g");
+    assert!(
+        tensions.windows(2).all(|pair| pair[0] > 1.001 * pair[1]),
+        "{tensions:?}"
+    );
     // In the paper's model every link has its own, and their mean is the cable's.
     let mut scene = scene(TWO_DISCS);
     scene.robot.bending_stiffness_nmm2 = None;

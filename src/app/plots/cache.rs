@@ -6,6 +6,7 @@ use crate::app::workbench::nodes_of_stretch;
 use crate::contact::Class;
 use crate::explore::{LoadCurve, Path, usual_end};
 use crate::forces::{Rates, Sections, Sweep, VirtualWork, VirtualWorkError, Window};
+use crate::mechanics::Slip;
 use crate::robot::Line;
 use crate::scene::ForceReading;
 use crate::units::{degrees, grams, millimetres, newtons, per_millimetre};
@@ -59,12 +60,23 @@ pub(super) struct Pull {
     /// Disks that a stretch spans: less than one of a link in the paper's model.
     pub per_stretch: f64,
     pub is_slack: bool,
+    /// How the cable went through the hole before each stretch; nothing where it does
+    /// not rub.
+    pub slips: Vec<Slip>,
 }
 
 impl Pull {
     /// The disks, from 0 at the base, that a stretch is between.
     pub fn ends(&self, stretch: usize) -> [f64; 2] {
         [stretch, stretch + 1].map(|end| end as f64 * self.per_stretch)
+    }
+
+    /// Where a hole is: its disk, and the tension between those on its two sides.
+    pub fn hole(&self, hole: usize) -> Option<(f64, f64)> {
+        let beyond = *self.levels.get(hole)?;
+        let below = hole.checked_sub(1).map(|below| self.levels[below]);
+        let level = 0.5 * (below.unwrap_or(beyond) + beyond);
+        Some((self.ends(hole)[0], level))
     }
 
     /// The corners of a curve that is level along each stretch.
@@ -162,12 +174,12 @@ pub(super) struct Forces {
     pub curve: Option<LoadCurve>,
     /// Its total, by smooth pieces.
     pub total: Vec<Vec<PlotPoint>>,
-    /// The first cable's tension over its pull, in mm, in N or, where the stiffness is
+    /// The load on the first cable over its pull, in mm, in N or, where the stiffness is
     /// not known, in rad²/m; by smooth pieces.
-    pub tension: Vec<Vec<PlotPoint>>,
-    /// The greatest tension before the last few shapes of a branch, which need more
+    pub loads: Vec<Vec<PlotPoint>>,
+    /// The greatest load before the last few shapes of a branch, which need more
     /// without bound.
-    pub widest_tension: f64,
+    pub widest_load: f64,
     /// By virtual work, where a reading fixes μ.
     pub work: Option<Result<VirtualWork, VirtualWorkError>>,
     /// What is outside the estimate's assumptions, a sentence each.
@@ -276,11 +288,18 @@ fn pulls(data: &PlotData<'_>) -> Vec<Pull> {
     let bay = problem.robot().segments_per_bay as f64;
     let per_stretch = nodes_of_stretch(problem, 0).len() as f64 / bay;
     let tensions = tensions.into_iter().zip(&solved.cables);
+    let friction = &solved.drive.friction;
+    let rubs = friction.holes > 0.0 || friction.base_loss > 0.0;
+    let mut slips = solved.strands.iter().filter(|_| rubs);
     tensions
         .map(|(levels, state)| Pull {
             levels,
             per_stretch,
             is_slack: state.is_slack,
+            slips: match slips.next() {
+                Some(strand) if !state.is_slack => strand.slips.clone(),
+                _ => Vec::new(),
+            },
         })
         .collect()
 }
@@ -332,9 +351,9 @@ impl Fits {
 }
 
 impl Forces {
-    /// The first cable's tension at a pull in mm; after a jump, where there are two.
-    pub fn tension_at(&self, pull: f64) -> Option<f64> {
-        let mut pieces = self.tension.iter().rev();
+    /// The load on the first cable at a pull in mm; after a jump, where there are two.
+    pub fn load_at(&self, pull: f64) -> Option<f64> {
+        let mut pieces = self.loads.iter().rev();
         pieces.find_map(|piece| value_at(piece, pull))
     }
 
@@ -355,11 +374,11 @@ impl Forces {
         let per_bend = data.stiffness();
         let per_bend = per_bend.map_or(1.0, |ei| ei.per_bend(data.problem()));
         let pieces = path.into_iter().flat_map(Path::pieces);
-        let tension: Vec<Vec<PlotPoint>> = pieces
+        let loads: Vec<Vec<PlotPoint>> = pieces
             .map(|piece| {
                 let states = piece.iter();
                 states
-                    .map(|s| PlotPoint::new(millimetres(s.pull), per_bend * s.energy_slope))
+                    .map(|s| PlotPoint::new(millimetres(s.pull), per_bend * s.load()))
                     .collect()
             })
             .collect();
@@ -384,8 +403,8 @@ impl Forces {
         Self {
             total: total.collect(),
             widest: if read > 0.0 { read } else { reached },
-            widest_tension: usual_end(tension.iter().flatten().map(|point| point.y)),
-            tension,
+            widest_load: usual_end(loads.iter().flatten().map(|point| point.y)),
+            loads,
             work,
             caveats,
             curve,

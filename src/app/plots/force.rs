@@ -43,7 +43,7 @@ fn present(data: &PlotData<'_>, cache: &PlotCache) -> Option<PlotPoint> {
     let contacts = data.solved.contacts.iter();
     let pressing = contacts.filter(|contact| contact.class == Class::Pressing);
     let force = per_bend * pressing.map(|contact| contact.multiplier).sum::<f64>();
-    let load = per_bend * data.solved.energy_slope() - curve.datum;
+    let load = per_bend * data.first_load() - curve.datum;
     (curve.contact.is_some() && force > 0.0).then(|| PlotPoint::new(grams(load), grams(force)))
 }
 

@@ -35,7 +35,7 @@ impl Extent {
         let walked = data.walked.iter();
         let walked = walked.filter_map(|step| step.cables.get(data.cable));
         let pulls: Vec<f64> = walked.clone().map(|it| millimetres(it.pull)).collect();
-        let loads = walked.map(|it| per_bend * it.tension);
+        let loads = walked.map(|it| per_bend * it.load);
         let loads = about(loads);
         let end = path(data, cache).last().and_then(|piece| piece.last());
         let end = end.map_or(0.0, |point| point.x);
@@ -48,7 +48,7 @@ impl Extent {
         }
         Self {
             pulls: [pulls[0], pulls[1].max(end)],
-            loads: [loads[0], loads[1].max(cache.forces.widest_tension)],
+            loads: [loads[0], loads[1].max(cache.forces.widest_load)],
         }
     }
 }
@@ -76,7 +76,7 @@ fn walked(data: &PlotData<'_>, factor: f64) -> Vec<Vec<PlotPoint>> {
         let Some(loaded) = step.cables.get(data.cable) else {
             continue;
         };
-        let point = PlotPoint::new(millimetres(loaded.pull), factor * loaded.tension);
+        let point = PlotPoint::new(millimetres(loaded.pull), factor * loaded.load);
         if step.is_leap {
             pieces.push(Vec::new());
         }
@@ -97,7 +97,7 @@ fn per_bend(data: &PlotData<'_>) -> f64 {
 /// The path's curve, which is that of the first cable.
 fn path<'a>(data: &PlotData<'_>, cache: &'a PlotCache) -> &'a [Vec<PlotPoint>] {
     match data.cable {
-        0 => &cache.forces.tension,
+        0 => &cache.forces.loads,
         _ => &[],
     }
 }
@@ -127,7 +127,7 @@ pub(super) fn show(
     let read = match data.cable {
         0 => {
             let pull = millimetres(read_at(data, link));
-            cache.forces.tension_at(pull).map(|load| (pull, load))
+            cache.forces.load_at(pull).map(|load| (pull, load))
         }
         _ => None,
     };
@@ -216,8 +216,8 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
     for (index, step) in data.walked.iter().enumerate() {
         for (cable, loaded) in step.cables.iter().enumerate() {
             let load = match known {
-                true => grams(per_bend * loaded.tension),
-                false => per_millimetre(loaded.tension),
+                true => grams(per_bend * loaded.load),
+                false => per_millimetre(loaded.load),
             };
             table.write_record([
                 index.to_string(),
@@ -241,7 +241,7 @@ pub(super) fn charts(data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
         points.collect()
     };
     let mut series: Vec<Series> = Vec::new();
-    let usual = cache.forces.widest_tension;
+    let usual = cache.forces.widest_load;
     for piece in path(data, cache) {
         let seen = piece.partition_point(|point| point.y <= usual);
         let points = points(&piece[..seen], factor);
@@ -255,7 +255,7 @@ pub(super) fn charts(data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
     series.extend(state.map(|state| {
         let now = (
             millimetres(state.pull),
-            factor * per_bend(data) * state.tension,
+            factor * per_bend(data) * state.load,
         );
         Series::new("now", CurveStyle::Dots, vec![now])
     }));

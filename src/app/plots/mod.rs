@@ -15,6 +15,7 @@ pub mod data;
 mod energy;
 mod export;
 mod force;
+mod holes;
 mod load;
 mod marks;
 mod multipliers;

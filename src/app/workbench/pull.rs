@@ -316,6 +316,20 @@ mod tests {
     }
 
     #[test]
+    fn a_load_along_the_path_is_what_hangs_on_the_cable_with_friction_too() {
+        let text = include_str!("../../../assets/scenes/two-posts.toml");
+        let mut scene = Scene::from_toml(text).unwrap();
+        scene.friction.holes = 0.275;
+        scene.friction.base_loss = 0.165;
+        let mut bench = Workbench::with(scene);
+        bench.poll();
+        bench.poll();
+        let along = bench.loads().unwrap().load_g(bench.pull_mm());
+        let now = bench.load_g(0).unwrap();
+        assert!((along - now).abs() < 1e-3 * now, "{along} {now}");
+    }
+
+    #[test]
     fn a_pull_beyond_the_span_becomes_its_end() {
         let mut bench = Workbench::with(Scene::default());
         bench.set_pull(1.0, Playing::Stops);

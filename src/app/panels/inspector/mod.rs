@@ -2,6 +2,7 @@
 //! known of the robot's shape.
 
 mod cables;
+mod friction;
 mod loads;
 mod obstacle;
 mod robot;

@@ -1,6 +1,6 @@
 //! The robot's fields.
 
-use super::{cables, loads};
+use super::{cables, friction, loads};
 use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::widgets::{Form, Kind, Number, row, with_form};
 use crate::app::workbench::Workbench;
@@ -28,6 +28,9 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     cables::show(ui, bench);
     with_form(bench, |scene, form| {
         if scene.model.mechanics == Mechanics::Sliding {
+            row::heading(ui, "Friction");
+            friction::show(ui, form, scene);
+            ui.add_space(12.0);
             row::heading(ui, "Loads");
             loads::show(ui, form, scene);
             ui.add_space(12.0);
@@ -101,6 +104,9 @@ fn backbone(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
         symbol: "EI",
         kind: Kind::Plain,
         optional: true,
+        meaning: "EI, Young’s modulus times the second moment of area: the moment that bends the \
+                  backbone, times the radius it bends to. All forces and loads grow in \
+                  proportion; the shape under a pull does not change",
         ..length("bending_stiffness_nmm2", "Stiffness", BENDING_STIFFNESS)
     };
     form.optional(ui, &number, &mut robot.bending_stiffness_nmm2);
