@@ -69,6 +69,20 @@ pub const EXAMPLES: &[Example] = &[
         text: include_str!("../../assets/scenes/two-posts.toml"),
     },
     Example {
+        id: "hysteresis",
+        title: "A loop of hysteresis",
+        lesson: "Pull in and let out: with friction the load draws a loop, and holes change from slip to stick.",
+        group: Group::Sliding,
+        text: include_str!("../../assets/scenes/hysteresis.toml"),
+    },
+    Example {
+        id: "antagonists",
+        title: "Two cables, one slack",
+        lesson: "What one cable draws in the other lets go; without a load on it the other hangs slack.",
+        group: Group::Sliding,
+        text: include_str!("../../assets/scenes/antagonists.toml"),
+    },
+    Example {
         id: "two-discs",
         title: "Two discs (Fig. 4b)",
         lesson: "Two posts press at once, on two of the disks, at pulls of 4.77 to 5.1 mm and no others.",
