@@ -5,6 +5,7 @@ mod backdrop;
 mod banner;
 mod camera;
 mod chip;
+mod clear;
 mod drag;
 mod gravity;
 mod handles;
@@ -24,6 +25,7 @@ mod tip_force;
 mod tools;
 mod view;
 
+pub use clear::{Rather, kept, place};
 pub use keys::hold_space;
 pub use view::Canvas;
 
@@ -174,7 +176,8 @@ fn overlays(
     }
     canvas.strip = tools::show(ui, canvas, bench, rect);
     understated_over(ui, bench, corner_above_legend(rect));
-    banner::show(ui, bench, rect);
+    let kept = kept(canvas, bench);
+    banner::show(ui, bench, rect, &kept);
     let painter = ui.painter_at(rect);
     if let (Some(drag), Some(pointer)) = (&canvas.drag, pointer) {
         let numbers = drag.reading(bench);
