@@ -255,7 +255,7 @@ fn the_inspector_tells_what_each_cable_does() {
     window.harness.run();
     for words in [
         "twice as stiff a backbone",
-        "Disk spacing 20.00 mm",
+        "Disk spacing",
         "Cable 1",
         "Tension 100.0 g",
         "Tip force x",

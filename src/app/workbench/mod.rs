@@ -24,6 +24,7 @@ mod other;
 mod photos;
 mod preferences;
 mod pull;
+mod refined;
 mod refusal;
 mod selection;
 mod trace;
@@ -45,6 +46,7 @@ pub use other::Other;
 pub use photos::{Coming, Photograph, Photos, Scaling, photo_centre};
 pub use preferences::{Hints, Preferences, Rescale, Views};
 pub use pull::{Held, Playing};
+pub use refined::{Refined, Refinement};
 pub use refusal::{Complaint, Refusal};
 pub use selection::{Hovered, Selection, nodes_of_stretch};
 pub use trace::Trace;
@@ -122,6 +124,8 @@ pub struct Workbench {
     pub other: Other,
     /// The path along another cable than the first.
     pub along: Along,
+    /// The scene with twice the segments.
+    pub refined: Refined,
 }
 
 impl Workbench {
@@ -160,6 +164,7 @@ impl Workbench {
             measuring: Measuring::default(),
             other: Other::default(),
             along: Along::default(),
+            refined: Refined::default(),
         };
         bench.restart();
         bench
@@ -228,6 +233,9 @@ impl Workbench {
                 Update::Share { task, share } => self.measuring.go_on(task, share),
                 Update::Answer { task, answer } => match *answer {
                     Answer::BestPull(fit) => self.measuring.end(task, fit),
+                    Answer::Shape(shape) if self.refined.has_asked(task) => {
+                        self.refined.take(task, *shape);
+                    }
                     Answer::Shape(shape) => self.other.take(task, *shape),
                     Answer::Path(path) => self.along.take(task, *path),
                 },
@@ -255,7 +263,14 @@ impl Workbench {
             Settled::Unchanged => {}
             Settled::Changed => {
                 self.refusal = None;
-                self.ask(StartFrom::Last);
+                // Friction that comes to a shape that is there holds it as it is: what
+                // was typed would change nothing until the robot moves.
+                let drives = [&self.live.problem(), &self.document.problem()];
+                let [before, now] = drives.map(|problem| problem.drive().friction);
+                self.ask(match before == now {
+                    true => StartFrom::Last,
+                    false => StartFrom::Straight,
+                });
                 self.redraw();
                 ctx.request_repaint();
             }
@@ -281,6 +296,7 @@ impl Workbench {
     /// it is over.
     pub fn settle(&mut self, ctx: &Context) {
         self.take_edits(ctx);
+        self.look_at_refined();
         if self.look_at_the_other() | self.look_along() {
             ctx.request_repaint();
         }

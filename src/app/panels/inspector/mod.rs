@@ -6,6 +6,7 @@ mod friction;
 mod loads;
 mod obstacle;
 mod robot;
+mod spacing;
 mod summary;
 
 use crate::app::workbench::{Selection, Workbench};

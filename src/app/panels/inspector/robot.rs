@@ -1,15 +1,14 @@
 //! The robot's fields.
 
-use super::{cables, friction, loads};
+use super::{cables, friction, loads, spacing};
 use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::widgets::{Form, Kind, Number, row, with_form};
-use crate::app::workbench::Workbench;
+use crate::app::workbench::{Refinement, Workbench};
 use crate::scene::limits::{
     ANGLE, BENDING_STIFFNESS, CABLE_OFFSET, COORDINATE, DISK_RADIUS, DISK_THICKNESS, LENGTH,
-    LINE_DIAMETER, Limits, SEGMENTS,
+    LINE_DIAMETER, Limits,
 };
 use crate::scene::{Candidates, Contact, Mechanics, Robot, Scene};
-use crate::view::Quantity;
 use eframe::egui::{self, Button, RichText, Ui, Vec2, WidgetInfo};
 
 /// Shows the robot's fields.
@@ -21,9 +20,13 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     ui.add_space(12.0);
     row::heading(ui, "Disks and cable");
     with_form(bench, |scene, form| {
-        spacing(ui, &scene.robot);
+        spacing::disks(ui, form, &mut scene.robot);
         disks(ui, form, scene);
     });
+    ui.add_space(12.0);
+    row::heading(ui, "Accuracy");
+    with_form(bench, |scene, form| spacing::accuracy(ui, form, scene));
+    refined(ui, bench);
     ui.add_space(12.0);
     cables::show(ui, bench);
     with_form(bench, |scene, form| {
@@ -43,6 +46,30 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     });
 }
 
+/// Whether what is found changes with the number of segments.
+fn refined(ui: &mut Ui, bench: &mut Workbench) {
+    let told = match bench
+        .refined
+        .told(bench.live.solution(), bench.document.stiffness())
+    {
+        Refinement::Unknown => {
+            let button = ui.button("Does it change with n?").on_hover_text(
+                "Solves the robot once more from straight, with twice the segments, and tells how \
+                 far tip and forces move",
+            );
+            if button.clicked() {
+                bench.refine();
+            }
+            return;
+        }
+        Refinement::Solving => "Solving with twice the segments…".to_owned(),
+        Refinement::Impossible => "Twice the segments are more than there may be.".to_owned(),
+        Refinement::Known(told) => told,
+    };
+    let muted = Tokens::in_ui(ui).muted;
+    ui.add(egui::Label::new(RichText::new(told).small().color(muted)).wrap());
+}
+
 /// What the stiffness is good for.
 fn meaning(ui: &mut Ui, bench: &Workbench) {
     let text = match bench.document.scene.robot.bending_stiffness_nmm2 {
@@ -54,22 +81,6 @@ fn meaning(ui: &mut Ui, bench: &Workbench) {
     ui.add(egui::Label::new(text).wrap());
 }
 
-/// How far apart the disks are, and how many there are beside the base's.
-fn spacing(ui: &mut Ui, robot: &Robot) {
-    let bays = robot.segments.checked_div(robot.segments_per_bay);
-    let Some(bays) = bays.filter(|bays| *bays > 0) else {
-        return;
-    };
-    let spacing_mm = robot.length_mm / f64::from(bays);
-    row::fact(ui, "Disks", "", &Quantity::fixed(bays.into(), 0, ""));
-    row::fact(
-        ui,
-        "Disk spacing",
-        "",
-        &Quantity::fixed(spacing_mm, 2, "mm"),
-    );
-}
-
 fn length<'a>(key: &str, name: &'a str, limits: Limits) -> Number<'a> {
     Number::length(format!("robot.{key}"), name, limits)
 }
@@ -77,27 +88,6 @@ fn length<'a>(key: &str, name: &'a str, limits: Limits) -> Number<'a> {
 fn backbone(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
     let number = length("length_mm", "Length", LENGTH);
     form.number(ui, &number, &mut robot.length_mm);
-    let number = Number {
-        symbol: "n",
-        kind: Kind::Count,
-        step: robot.segments_per_bay,
-        ..length("segments", "Segments", SEGMENTS)
-    };
-    form.count(ui, &number, &mut robot.segments);
-    let choices: Vec<(u32, String)> = divisors(robot.segments)
-        .into_iter()
-        .map(|divisor| (divisor, divisor.to_string()))
-        .collect();
-    form.choice(
-        ui,
-        "robot.segments_per_bay",
-        (
-            "Segments per bay",
-            "Segments between neighbouring disks: any number that divides the segments",
-        ),
-        &mut robot.segments_per_bay,
-        &choices,
-    );
     let number = length("backbone_diameter_mm", "Diameter", LINE_DIAMETER);
     form.number(ui, &number, &mut robot.backbone_diameter_mm);
     let number = Number {
@@ -224,21 +214,4 @@ fn contact(ui: &mut Ui, form: &mut Form<'_>, contact: &mut Contact) {
         &mut contact.candidates,
         &choices,
     );
-}
-
-/// The numbers that divide a number, in order.
-fn divisors(number: u32) -> Vec<u32> {
-    (1..=number).filter(|d| number.is_multiple_of(*d)).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bays_divide_the_segments() {
-        assert_eq!(divisors(18), [1, 2, 3, 6, 9, 18]);
-        assert_eq!(divisors(17), [1, 17]);
-        assert_eq!(divisors(1), [1]);
-    }
 }
