@@ -601,3 +601,17 @@ fn words_over_the_canvas_keep_clear_of_the_robot_in_small_windows() {
         }
     }
 }
+
+#[test]
+fn a_robot_is_pinned_by_key_and_told_apart_from_the_live_one() {
+    let mut window = Window::open(None);
+    window.key(Key::N);
+    assert_eq!(window.bench().pins.all().len(), 1);
+    let scene = &mut window.harness.state_mut().bench_mut().document.scene;
+    scene.set_pull_mm(5.05);
+    window.harness.run();
+    window.harness.get_by_label("Pull, mm: −0.50");
+    window.harness.get_by_label("Let A go").click();
+    window.harness.run();
+    assert!(window.bench().pins.all().is_empty());
+}

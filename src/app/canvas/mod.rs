@@ -18,6 +18,7 @@ mod menu;
 mod other;
 mod overlay;
 mod photo;
+mod pins;
 mod pointer;
 mod pull;
 mod shade;
@@ -113,6 +114,7 @@ fn picture(
     {
         canvas.shade = None;
     }
+    pins::paint(&painter, bench.pins.all(), frame, &tokens);
     drawing(&painter, bench.live.drawing(), frame, theme);
     if bench.preferences.compare {
         other::outline(&painter, bench, frame, &tokens);

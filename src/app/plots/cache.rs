@@ -2,7 +2,7 @@
 
 use super::data::PlotData;
 use super::marks::{self, Happening};
-use crate::app::workbench::nodes_of_stretch;
+use crate::app::workbench::{Assumed, nodes_of_stretch};
 use crate::contact::Class;
 use crate::explore::{LoadCurve, Path, usual_end};
 use crate::forces::{Rates, Sections, Sweep, VirtualWork, VirtualWorkError, Window};
@@ -34,6 +34,7 @@ struct ForceKeys {
     readings: Vec<ForceReading>,
     calibration: Option<usize>,
     window: Window,
+    models: u64,
 }
 
 /// The present shape.
@@ -174,6 +175,8 @@ pub(super) struct Forces {
     pub curve: Option<LoadCurve>,
     /// Its total, by smooth pieces.
     pub total: Vec<Vec<PlotPoint>>,
+    /// The same in other models.
+    pub others: Vec<(Assumed, Vec<Vec<PlotPoint>>)>,
     /// The load on the first cable over its pull, in mm, in N or, where the stiffness is
     /// not known, in rad²/m; by smooth pieces.
     pub loads: Vec<Vec<PlotPoint>>,
@@ -212,6 +215,7 @@ impl PlotCache {
                     && known.readings == data.readings()
                     && known.calibration == data.calibration()
                     && known.window == data.window
+                    && known.models == data.models_generation
             });
         if !forces_are_known {
             self.force_keys = Some(ForceKeys {
@@ -219,6 +223,7 @@ impl PlotCache {
                 readings: data.readings().to_vec(),
                 calibration: data.calibration(),
                 window: data.window,
+                models: data.models_generation,
             });
             self.fits = Fits::of(data, path);
             self.forces = Forces::of(data, path, &self.fits);
@@ -363,13 +368,11 @@ impl Forces {
             _ => None,
         };
         let points = curve.iter().flat_map(|curve| &curve.points);
-        let points: Vec<_> = points.collect();
-        let total = points.chunk_by(|a, b| a.branch == b.branch);
-        let total = total.map(|piece| {
-            let points = piece.iter();
-            points
-                .map(|point| PlotPoint::new(grams(point.load), grams(point.total)))
-                .collect()
+        let others = data.stiffness().into_iter().flat_map(|stiffness| {
+            data.models.iter().map(move |it| {
+                let curve = LoadCurve::of(&it.path, &it.problem, stiffness);
+                (it.assumed, totals(&curve))
+            })
         });
         let per_bend = data.stiffness();
         let per_bend = per_bend.map_or(1.0, |ei| ei.per_bend(data.problem()));
@@ -399,9 +402,10 @@ impl Forces {
         };
         let read = data.readings().iter().map(|reading| reading.load_g);
         let read = 1.2 * read.fold(0.0, f64::max);
-        let reached = usual_end(points.iter().map(|point| grams(point.load)));
+        let reached = usual_end(points.map(|point| grams(point.load)));
         Self {
-            total: total.collect(),
+            total: curve.as_ref().map(totals).unwrap_or_default(),
+            others: others.collect(),
             widest: if read > 0.0 { read } else { reached },
             widest_load: usual_end(loads.iter().flatten().map(|point| point.y)),
             loads,
@@ -410,6 +414,18 @@ impl Forces {
             curve,
         }
     }
+}
+
+/// All forces over the load, in grams, by smooth pieces.
+fn totals(curve: &LoadCurve) -> Vec<Vec<PlotPoint>> {
+    let pieces = curve.points.chunk_by(|a, b| a.branch == b.branch);
+    let pieces = pieces.map(|piece| {
+        let points = piece.iter();
+        points
+            .map(|point| PlotPoint::new(grams(point.load), grams(point.total)))
+            .collect()
+    });
+    pieces.collect()
 }
 
 /// The value of a curve at an abscissa, straight between its points.

@@ -13,7 +13,7 @@ use crate::app::look::{Tokens, theme_of};
 use crate::app::workbench::Hovered;
 use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::{Axis, Chart, CurveStyle, Quantity, Series};
-use eframe::egui::{Stroke, Ui, vec2};
+use eframe::egui::{Color32, Stroke, Ui, vec2};
 use egui_plot::{Line, PlotPoint};
 
 /// A hand has gone through pulls that are worth a scale of their own once they are so
@@ -102,6 +102,33 @@ fn path<'a>(data: &PlotData<'_>, cache: &'a PlotCache) -> &'a [Vec<PlotPoint>] {
     }
 }
 
+/// The curves of pinned robots, as far as they are inside, in their colours.
+fn pinned(
+    data: &PlotData<'_>,
+    extent: &Extent,
+    most: f64,
+    tokens: &Tokens,
+) -> Vec<(Vec<PlotPoint>, Color32)> {
+    let known = data.stiffness().is_some() && data.cable == 0;
+    let pins = data.pins.iter().filter(|_| known);
+    let known = pins.filter_map(|pin| Some((pin, pin.path.as_ref()?, pin.newtons?)));
+    let curves = known.flat_map(|(pin, path, newtons)| {
+        let ink = pin.ink(tokens).gamma_multiply(0.8);
+        path.pieces().map(move |piece| {
+            let [first, last] = extent.pulls;
+            let points = piece.iter();
+            let points = points.map(|state| {
+                let load = grams(newtons * state.load());
+                PlotPoint::new(millimetres(state.pull), load)
+            });
+            let inside = |at: &PlotPoint| (first..=last).contains(&at.x) && at.y <= most;
+            let seen = points.skip_while(|at| !inside(at)).take_while(inside);
+            (seen.collect(), ink)
+        })
+    });
+    curves.collect()
+}
+
 pub(super) fn show(
     ui: &mut Ui,
     data: &PlotData<'_>,
@@ -174,9 +201,14 @@ pub(super) fn show(
                 .collect()
         })
         .collect();
+    let pinned = pinned(data, &extent, loads[1], &tokens);
     let quiet = Stroke::new(1.25, tokens.muted.gamma_multiply(0.6));
     let strong = Stroke::new(2.0, hue(theme, 0));
     let shown = plot.show(ui, |plot| {
+        for (piece, ink) in &pinned {
+            let line = Line::new("pinned", &piece[..]).stroke(Stroke::new(1.25, *ink));
+            plot.line(line.allow_hover(false).allow_band(false));
+        }
         for (pieces, stroke) in [(&behind, quiet), (&walked, strong)] {
             for piece in pieces {
                 let line = Line::new("load", &piece[..]).stroke(stroke);

@@ -16,6 +16,7 @@ mod energy;
 mod export;
 mod force;
 mod holes;
+mod legend;
 mod load;
 mod marks;
 mod multipliers;

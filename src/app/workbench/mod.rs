@@ -19,9 +19,11 @@ mod live;
 mod load_trace;
 mod loads;
 mod measuring;
+mod models;
 mod notices;
 mod other;
 mod photos;
+mod pins;
 mod preferences;
 mod pull;
 mod refined;
@@ -41,9 +43,11 @@ pub use live::{Answered, Live};
 pub use load_trace::{LoadTrace, Loaded, Step};
 pub use loads::Loads;
 pub use measuring::{Basis, Best, Measuring, Search};
+pub use models::{Assumed, Followed, Models};
 pub use notices::{Notice, Notices, Tone};
 pub use other::Other;
 pub use photos::{Coming, Photograph, Photos, Scaling, photo_centre};
+pub use pins::{Pin, Pins};
 pub use preferences::{Hints, Preferences, Rescale, Views};
 pub use pull::{Held, Playing};
 pub use refined::{Refined, Refinement};
@@ -124,8 +128,12 @@ pub struct Workbench {
     pub other: Other,
     /// The path along another cable than the first.
     pub along: Along,
+    /// The path of the first cable in other models.
+    pub models: Models,
     /// The scene with twice the segments.
     pub refined: Refined,
+    /// Robots that were pinned.
+    pub pins: Pins,
 }
 
 impl Workbench {
@@ -164,7 +172,9 @@ impl Workbench {
             measuring: Measuring::default(),
             other: Other::default(),
             along: Along::default(),
+            models: Models::default(),
             refined: Refined::default(),
+            pins: Pins::default(),
         };
         bench.restart();
         bench
@@ -179,6 +189,7 @@ impl Workbench {
         self.document = Document::new(scene)?;
         self.opened += 1;
         self.held_scale = HeldScale::default();
+        self.pins.clear();
         self.selection = Selection::Nothing;
         self.transport.stop();
         self.trace.clear();
@@ -237,6 +248,9 @@ impl Workbench {
                         self.refined.take(task, *shape);
                     }
                     Answer::Shape(shape) => self.other.take(task, *shape),
+                    Answer::Path(path) if self.models.has_asked(task) => {
+                        self.models.take(task, *path);
+                    }
                     Answer::Path(path) => self.along.take(task, *path),
                 },
             }
@@ -297,7 +311,7 @@ impl Workbench {
     pub fn settle(&mut self, ctx: &Context) {
         self.take_edits(ctx);
         self.look_at_refined();
-        if self.look_at_the_other() | self.look_along() {
+        if self.look_at_the_other() | self.look_along() | self.look_at_models() {
             ctx.request_repaint();
         }
         let gesture = self.gesture(ctx);
