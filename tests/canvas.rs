@@ -9,6 +9,7 @@ use eframe::egui::{
     Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Theme, TouchPhase, vec2,
 };
 use egui_kittest::kittest::Queryable;
+use sinew::app::workbench::Notice;
 use sinew::app::{Hovered, Selection, Tool};
 use sinew::geometry::Vector;
 use sinew::scene::{Scene, Shape};
@@ -570,4 +571,47 @@ fn a_branch_that_ends_says_so() {
     window.harness.get_by_label("Start from straight").click();
     window.harness.run();
     assert!(generation(&window) > before);
+}
+
+#[test]
+fn words_over_the_canvas_keep_clear_of_the_robot_in_small_windows() {
+    for size in [[420.0, 800.0], [800.0, 600.0]] {
+        let text = include_str!("../assets/scenes/one-disc.toml");
+        let mut scene = Scene::from_toml(text).unwrap();
+        scene.set_pull_mm(25.0);
+        let mut window = Window::sized(size, Theme::Light, Some(scene));
+        let told = "Words that are told in passing, long enough for two lines of a phone";
+        let notice = Notice::information(told);
+        window.harness.state_mut().bench_mut().notices.tell(notice);
+        window.harness.run_steps(3);
+        assert!(window.bench().live.drawing().standing.is_greyed());
+        let solved = window.bench().live.solution().unwrap();
+        let points: Vec<_> = [solved.nodes[0], solved.tip()]
+            .map(|node| node.position)
+            .into_iter()
+            .chain(solved.contacts.iter().map(|contact| contact.point))
+            .map(|at| window.at(1e3 * at.x, 1e3 * at.y))
+            .collect();
+        for words in [told, "Undo", "Branch ended"] {
+            let all = window.harness.query_all_by_label_contains(words);
+            for area in all.map(|node| node.rect()) {
+                let over = points.iter().find(|point| area.contains(**point));
+                assert_eq!(over, None, "{words} at {area:?} in {size:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_robot_is_pinned_by_key_and_told_apart_from_the_live_one() {
+    let mut window = Window::open(None);
+    window.key(Key::N);
+    assert_eq!(window.bench().pins.all().len(), 1);
+    let scene = &mut window.harness.state_mut().bench_mut().document.scene;
+    scene.set_pull_mm(5.05);
+    window.harness.run();
+    window.harness.get_by_label("Pull, mm: −0.50");
+    window.harness.get_by_label("Let A go").click();
+    window.harness.run();
+    assert!(window.bench().pins.all().is_empty());
 }

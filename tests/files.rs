@@ -60,6 +60,36 @@ fn pull(window: &mut Window, pull_mm: f64) {
     window.run();
 }
 
+#[test]
+fn a_path_is_typed_where_the_system_has_no_dialog() {
+    let desk = Desk::default();
+    desk.put(
+        "/home/free.toml",
+        include_str!("../assets/scenes/free.toml"),
+    );
+    desk.lose_dialogs();
+    let mut window = window(&desk);
+    ctrl(&mut window, Key::O);
+    let field = window.get_by_label("Path");
+    field.type_text("free.toml");
+    window.run();
+    window.key_press(Key::Enter);
+    window.run();
+    assert_eq!(scene(&window).title.as_deref(), Some("Free (Fig. 3b)"));
+    assert!(!window.state().is_covered());
+    // To be saved elsewhere: the name is offered, and Escape gives it up.
+    ctrl_shift(&mut window, Key::S);
+    window.get_by_label("Path");
+    window.key_press(Key::Escape);
+    window.run();
+    assert!(!window.state().is_covered() && !bench(&window).files.is_asking());
+    ctrl_shift(&mut window, Key::S);
+    window.get_by_label("Save").click();
+    window.run();
+    assert!(desk.text("/home/free.toml").contains("Free (Fig. 3b)"));
+    assert!(!bench(&window).files.is_asking());
+}
+
 /// A change that cost work.
 fn edit(window: &mut Window) {
     let scene = &mut window.state_mut().bench_mut().document.scene;

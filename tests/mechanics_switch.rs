@@ -255,7 +255,7 @@ fn the_inspector_tells_what_each_cable_does() {
     window.harness.run();
     for words in [
         "twice as stiff a backbone",
-        "Disk spacing 20.00 mm",
+        "Disk spacing",
         "Cable 1",
         "Tension 100.0 g",
         "Tip force x",
@@ -277,6 +277,36 @@ fn the_inspector_tells_what_each_cable_does() {
         *scene = Scene::from_toml(TWO_DISCS).unwrap()
     });
     assert!(!told(&window, "Tip force x") && !told(&window, "Hold the load"));
+}
+
+#[test]
+fn friction_is_typed_in_and_told_at_holes_and_contacts() {
+    let mut window = Window::sized([1280.0, 2400.0], Theme::Light, None);
+    window.harness.state_mut().bench_mut().selection = Selection::Robot;
+    window.harness.run();
+    for (name, text) in [
+        ("In holes", "0.3"),
+        ("At contacts", "0.2"),
+        ("Lost at base", "0.1"),
+    ] {
+        click(&mut window, name);
+        window
+            .harness
+            .key_press_modifiers(Modifiers::COMMAND, Key::A);
+        window.harness.run();
+        window.harness.get_by_label(name).type_text(text);
+        window.harness.run();
+        window.key(Key::Enter);
+    }
+    let friction = window.scene().friction;
+    let typed = (friction.holes, friction.contacts, friction.base_loss);
+    assert_eq!(typed, (0.3, 0.2, 0.1));
+    assert!(window.bench().live.is_settled());
+    // What each means, on hover.
+    let at = window.harness.get_by_label("At contacts").rect().center();
+    window.point(at);
+    window.harness.run_steps(60);
+    assert!(told(&window, "The cone on the canvas"));
 }
 
 #[test]

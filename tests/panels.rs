@@ -258,23 +258,24 @@ fn obstacles_are_added_duplicated_and_deleted() {
 }
 
 #[test]
-fn segments_come_in_whole_bays() {
-    let mut window = first();
+fn disks_are_counted_spaced_and_kept_where_the_robot_is_cut_more_finely() {
+    let mut window = window(None, [1280.0, 1600.0], Theme::Light);
     select(&mut window, "Robot");
-    enter(&mut window, "Segments", "24");
+    enter(&mut window, "Disks", "12");
     assert_eq!(scene(&window).robot.segments, 24);
-    enter(&mut window, "Segments", "17");
-    assert_eq!(scene(&window).robot.segments, 24);
-    assert!(told(&window, "With 2 to a bay, type 16 or 18"));
-    enter(&mut window, "Segments", "2.5");
+    enter(&mut window, "Disks", "2.5");
     assert!(told(&window, "2.5 is not a whole number"));
-    // The choice is of divisors only.
-    window.get_by_label("Segments per bay").click();
-    window.run();
-    assert!(window.query_by_label("5").is_none());
-    select(&mut window, "3");
-    assert_eq!(scene(&window).robot.segments_per_bay, 3);
+    enter(&mut window, "Disk spacing", "16");
+    let robot = &scene(&window).robot;
+    assert_eq!((robot.length_mm, robot.segments), (192.0, 24));
+    enter(&mut window, "Segments per bay", "3");
+    let robot = &scene(&window).robot;
+    assert_eq!((robot.segments, robot.segments_per_bay), (36, 3));
+    assert!(told(&window, "Segments 36"));
     assert!(bench(&window).live.is_settled());
+    select(&mut window, "Does it change with n?");
+    window.run();
+    assert!(told(&window, "With n = 72 the tip is"));
 }
 
 #[test]
@@ -340,7 +341,7 @@ fn the_certificate_tells_the_numbers_of_the_solution() {
     window.get_by_label("Orientation yes ");
     window.get_by_label("Minimum yes ");
     let count = bench(&window).live.solution().unwrap().trace.len();
-    window.get_by_label(&format!("Last solve, {count} iterations"));
+    assert!(told(&window, &format!("Last solve, {count} iteration")));
     window.get_by_label("Status: Converged").click();
     window.run();
     assert!(!told(&window, "Stationarity"));

@@ -4,7 +4,7 @@ use eframe::egui::{self, Modifiers, PointerButton, Pos2, Rect, Theme, pos2, vec2
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use sinew::app::plots::{self, Link, Plot, PlotAction, PlotCache, PlotData};
-use sinew::app::workbench::{Loaded, Step};
+use sinew::app::workbench::{Assumed, Followed, Loaded, Step};
 use sinew::app::{Hovered, look};
 use sinew::contact::Class;
 use sinew::equilibrium::{Settings, Solved, Start, solve};
@@ -12,7 +12,7 @@ use sinew::explore::{Path, PathRun};
 use sinew::forces::Window;
 use sinew::mechanics::Problem;
 use sinew::record::path::rows;
-use sinew::scene::{Cable, Drive, ForceReading, Measurements, Scene, Shape};
+use sinew::scene::{Cable, Drive, ForceReading, Measurements, Mechanics, Scene, Shape};
 use sinew::units::grams;
 use sinew::view::{ForceScale, Notes, draw};
 
@@ -74,6 +74,9 @@ impl Bench {
             asked: &self.problem,
             solved: &self.solution,
             path: self.path.as_ref(),
+            models: &[],
+            models_generation: 1,
+            pins: &[],
             walked: &self.walked,
             cable: 0,
             scale: self.scale(),
@@ -131,12 +134,43 @@ impl Bench {
     }
 }
 
+#[test]
+fn forces_of_other_models_stand_beside_the_scenes_own() {
+    let bench = Bench::new(scene(TWO_POSTS), 0.008, &[]);
+    let mut equal = scene(TWO_POSTS);
+    equal.model.mechanics = Mechanics::Equal;
+    let problem = Problem::new(&equal).unwrap();
+    let path = PathRun::over(&problem, 0.0, 0.008, 201).finish();
+    let models = [Followed {
+        assumed: Assumed::Equal,
+        problem,
+        path: path.into(),
+    }];
+    let data = PlotData {
+        models: &models,
+        ..bench.data()
+    };
+    let table = plots::csv(Plot::Force, &data);
+    let sources = column(&table, "source");
+    let forces = numbers(&table, "force_g");
+    let greatest = |wanted: &str| {
+        let of = sources.iter().zip(&forces);
+        let of = of.filter(|(source, _)| *source == wanted);
+        of.map(|(_, force)| *force).fold(0.0, f64::max)
+    };
+    // The paper's are too small.
+    assert!(greatest("multipliers") > 0.0);
+    assert!(greatest("sliding") > 1.5 * greatest("multipliers"));
+    let chart = plots::svg(Plot::Force, &data).unwrap();
+    assert!(chart.contains("multipliers") && chart.contains("sliding"));
+}
+
 /// There and back around a shape, with a cable that lags.
 fn walked(solution: &Solved) -> Vec<Step> {
     let at = |i: i32, lag: f64| {
         let cables = solution.cables.iter().map(|cable| Loaded {
             pull: cable.pull * (1.0 - 0.02 * f64::from(i)),
-            tension: cable.tension * (1.0 - 0.02 * f64::from(i)) * lag,
+            load: cable.load * (1.0 - 0.02 * f64::from(i)) * lag,
         });
         Step {
             cables: cables.collect(),
@@ -384,9 +418,24 @@ fn tensions_are_told_stretch_by_stretch() {
     let table = plots::csv(Plot::Load, &bench.data());
     assert_eq!(numbers(&table, "cable")[..4], [1.0, 2.0, 1.0, 2.0]);
     let loads = numbers(&table, "load_g");
-    let first = grams(newtons * bench.walked[0].cables[1].tension);
+    let first = grams(newtons * bench.walked[0].cables[1].load);
     assert!((loads[1] - first).abs() < 1e-9 * first);
     assert_eq!(loads.len(), 80);
+    // Where the cable rubs, the tension falls at every hole that it slips through.
+    assert_eq!(
+        column(&plots::csv(Plot::Tension, &bench.data()), "slips"),
+        [""; 14]
+    );
+    let mut rubs = scene(TWO_POSTS);
+    rubs.friction.holes = 0.275;
+    let bench = Bench::new(rubs, 0.008, &[]);
+    let table = plots::csv(Plot::Tension, &bench.data());
+    assert_eq!(column(&table, "slips"), ["in"; 9]);
+    let tensions = numbers(&table, "tension_g");
+    assert!(
+        tensions.windows(2).all(|pair| pair[0] > 1.001 * pair[1]),
+        "{tensions:?}"
+    );
     // In the paper's model every link has its own, and their mean is the cable's.
     let mut scene = scene(TWO_DISCS);
     scene.robot.bending_stiffness_nmm2 = None;

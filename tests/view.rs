@@ -14,8 +14,8 @@ use sinew::report::svg::{self, Size};
 use sinew::robot::PlanarNode;
 use sinew::scene::Scene;
 use sinew::view::{
-    Drawing, Frame, Geometry, LabelText, Notes, Path, Piece, Quantity, Spot, Standing, Theme, draw,
-    draw_on_the_way, place_labels,
+    Drawing, Frame, Geometry, LabelText, Mark, Notes, Path, Piece, Quantity, Role, Spot, Standing,
+    Theme, draw, draw_on_the_way, place_labels,
 };
 
 const TWO_DISCS: &str = include_str!("../assets/scenes/two-discs.toml");
@@ -117,6 +117,13 @@ fn snapshot(drawing: &Drawing) -> String {
         // Shares are ratios of multipliers, good to about 1e-9.
         let role = match mark.role {
             sinew::view::Role::Force(share) => format!("Force({share:.4})"),
+            Role::Friction(share) => format!("Friction({share:.4})"),
+            Role::Cone { share, slides } => {
+                format!(
+                    "Cone({share:.4}, {})",
+                    if slides { "slides" } else { "sticks" }
+                )
+            }
             sinew::view::Role::TouchedDisk(share) => format!("TouchedDisk({share:.4})"),
             sinew::view::Role::Contact { share, class } => {
                 format!("Contact({share:.4}, {})", class.word())
@@ -182,6 +189,49 @@ fn snapshots() {
     check_snapshot("body-contact", &drawn(BODY));
     check_snapshot("load-cell", &drawn(LOAD_CELL));
     check_snapshot("antagonists", &drawn(ANTAGONISTS));
+    check_snapshot("friction", &drawn(&rubbing()));
+}
+
+/// Two posts on which the robot rubs, and its cable in its holes.
+fn rubbing() -> String {
+    let posts = include_str!("../assets/scenes/two-posts.toml");
+    format!("{posts}\n[friction]\nholes = 0.275\ncontacts = 0.275\nbase_loss = 0.165\n")
+}
+
+#[test]
+fn what_an_obstacle_exerts_is_on_the_edge_of_its_cone_where_the_robot_slides() {
+    let (_, solution, notes) = solved(&rubbing());
+    let drawing = draw(&solution, &notes);
+    let of = |wanted: fn(&Role) -> bool| {
+        let marks = drawing.marks.iter().filter(|mark| wanted(&mark.role));
+        marks.collect::<Vec<_>>()
+    };
+    let cones = of(|role| matches!(role, Role::Cone { .. }));
+    let along = of(|role| matches!(role, Role::Friction(_)));
+    let against = of(|role| matches!(role, Role::Force(_)));
+    assert_eq!((cones.len(), along.len(), against.len()), (2, 2, 2));
+    let ends = |mark: &Mark| match mark.geometry {
+        Geometry::Arrow { tail, tip } => (tail, tip - tail),
+        _ => panic!("{mark:?}"),
+    };
+    for ((cone, along), against) in cones.iter().zip(&along).zip(&against) {
+        let Geometry::Path(path) = &cone.geometry else {
+            panic!("{cone:?}");
+        };
+        let ((at, friction), (from, normal)) = (ends(along), ends(against));
+        assert_eq!((path.start, at), (from, from));
+        let bound = 0.275 * normal.norm();
+        assert!(friction.dot(&normal).abs() < 1e-12 * bound * normal.norm());
+        let slides = matches!(cone.role, Role::Cone { slides: true, .. });
+        assert!(friction.norm() <= bound * (1.0 + 1e-6), "{friction:?}");
+        assert_eq!(slides, friction.norm() > bound * (1.0 - 1e-6));
+        // The sum of both points to the edge.
+        let edge = path.flattened(1e-6)[1..].iter().any(|end| {
+            let (a, b) = ((end - from).normalize(), (normal + friction).normalize());
+            (a - b).norm() < 1e-6
+        });
+        assert_eq!(edge, slides);
+    }
 }
 
 // --- Properties --------------------------------------------------------

@@ -50,6 +50,8 @@ pub enum Command {
     NextMark,
     /// Goes to the mark before.
     PreviousMark,
+    /// Keeps the robot as it is to be compared with what it becomes.
+    Pin,
     /// Changes from setting the pull to setting the load, or back.
     Load,
     /// Changes from the sliding cable to the paper's model, or back.
@@ -211,6 +213,7 @@ pub const ALL: &[Entry] = &[
     entry(Command::FromStraight, Group::Robot, "Start from straight", icons::CLOCK_COUNTER_CLOCKWISE, key(Key::R)),
     entry(Command::NextMark, Group::Robot, "Go to the next mark", icons::CARET_RIGHT, key(Key::Period)),
     entry(Command::PreviousMark, Group::Robot, "Go to the mark before", icons::CARET_LEFT, key(Key::Comma)),
+    entry(Command::Pin, Group::Robot, "Pin the robot as it is", icons::LOCK_SIMPLE, key(Key::N)),
     entry(Command::Load, Group::Robot, "Set the load or the pull", icons::GAUGE, key(Key::L)),
     entry(Command::Mechanics, Group::Robot, "Switch between sliding cable and paper’s model", icons::REPEAT, key(Key::M)),
     entry(Command::Compare, Group::View, "Draw both models", icons::COPY, key(Key::O)),

@@ -2,12 +2,13 @@
 //! a solver thread behind it.
 
 use super::backend::{Inline, SolverBackend, Thread};
+use super::commands::Command;
 use super::files::scene_from;
-use super::platform::Native;
+use super::platform::{Native, in_words};
 use super::window::Sinew;
 use super::window::stored::Stored;
-use super::words::faults_of;
-use super::workbench::Preferences;
+use super::words::{faults_of, sentence};
+use super::workbench::{Preferences, Trouble};
 use crate::report::on_a_terminal;
 use crate::scene::Scene;
 use eframe::egui::{Context, ViewportBuilder, vec2};
@@ -47,18 +48,24 @@ pub fn asked_for(mut arguments: impl Iterator<Item = OsString>) -> Option<Openin
 }
 
 /// Opens the window and stays until it is closed. The exit code is 0, or 1
-/// where there is no display, or 2 where the scene file cannot be opened.
+/// where there is no display, or 2 where there is none and the scene file cannot be
+/// opened either; with a display the window says so.
 pub fn open(opening: &Opening) -> ExitCode {
+    let mut trouble = None;
     let (scene, file) = match opening {
         Opening::Anything => (None, None),
         Opening::File(file) => match read(file) {
             Ok((scene, file)) => (Some(scene), Some(file)),
             Err(faults) => {
-                for fault in faults {
+                for fault in &faults {
                     let text = format!("{}: {fault}", file.display());
                     eprintln!("error: {}", on_a_terminal(&text));
                 }
-                return ExitCode::from(2);
+                if !has_display() {
+                    return ExitCode::from(2);
+                }
+                trouble = Some(not_opened(file, &faults));
+                (None, None)
             }
         },
     };
@@ -87,10 +94,12 @@ pub fn open(opening: &Opening) -> ExitCode {
             let window = window.map_err(|faults| faults_of(&faults).join(" "))?;
             let desktop = Native::new(&cc.egui_ctx, eframe::storage_dir(APP_ID));
             let window = window.on(Box::new(desktop), stored);
-            Ok(Box::new(match file {
+            let mut window = match file {
                 Some(file) => window.from_file(file),
                 None => window,
-            }))
+            };
+            window.bench_mut().trouble = trouble;
+            Ok(Box::new(window))
         }),
     );
     match opened {
@@ -104,12 +113,25 @@ pub fn open(opening: &Opening) -> ExitCode {
 
 /// The scene in a file, and the file's path from the root.
 fn read(file: &Path) -> Result<(Scene, PathBuf), Vec<String>> {
-    let bytes = std::fs::read(file).map_err(|error| vec![error.to_string()])?;
+    let bytes = std::fs::read(file).map_err(|error| {
+        vec![match error.kind() {
+            std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+            _ => in_words(&error),
+        }]
+    })?;
     let file = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
     let scene = scene_from(&bytes, Some(&file));
     let scene =
         scene.map_err(|faults| faults.iter().map(ToString::to_string).collect::<Vec<_>>())?;
     Ok((scene, file))
+}
+
+/// What the window tells of a file that its arguments name and that is none of a scene.
+fn not_opened(file: &Path, faults: &[String]) -> Trouble {
+    let reasons = faults.iter().map(|fault| sentence(fault)).collect();
+    Trouble::new(format!("{} cannot be opened", file.display()), reasons)
+        .with("What was there before is open instead. Correct the file, or open another:")
+        .offering("Open another …", Command::Open)
 }
 
 /// Whether there is a display; elsewhere than on Unix with X11 or Wayland
@@ -134,6 +156,16 @@ fn backend(ctx: &Context) -> Box<dyn SolverBackend> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_file_that_is_not_there_is_told_in_words() {
+        let file = Path::new("no/such/scene.toml");
+        let faults = read(file).unwrap_err();
+        assert_eq!(faults, ["there is no such file"]);
+        let trouble = not_opened(file, &faults);
+        assert_eq!(trouble.title, "no/such/scene.toml cannot be opened");
+        assert_eq!(trouble.reasons, ["There is no such file."]);
+    }
 
     #[test]
     fn no_argument_or_a_scene_file_is_the_windows() {

@@ -3,7 +3,7 @@
 
 use crate::app::look::icons;
 use crate::equilibrium::{Caution, Conflict, Event, Occurrence, Solution, Status};
-use crate::mechanics::{Model, Problem};
+use crate::mechanics::{Model, Problem, Slip};
 use crate::robot::Line;
 use crate::scene::{Obstacle, Scene, SceneError, Shape};
 use crate::units::{grams, millimetres};
@@ -37,6 +37,15 @@ pub fn stretch(problem: &Problem, cables: usize, cable: usize, stretch: usize) -
     match cables {
         0 | 1 => place,
         _ => format!("cable {}, {place}", cable + 1),
+    }
+}
+
+/// How a cable goes through a hole.
+pub fn slips(slip: Slip) -> &'static str {
+    match slip {
+        Slip::In => "slips in",
+        Slip::Out => "slips out",
+        Slip::Sticks => "sticks",
     }
 }
 

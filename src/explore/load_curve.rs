@@ -1,8 +1,8 @@
 //! Forces along a path, against the load on the cable: a curve where
 //! [`crate::forces::Loading`] finds single points, from states that are known.
 //!
-//! Loads count from contact, as the paper's P_l: the cable carries the tension
-//! it had when the robot began to press, and P_l more.
+//! Loads count from contact, as the paper's P_l: what hangs on the cable
+//! is what it was when the robot began to press, and P_l more.
 
 use super::path::Path;
 use crate::forces::Stiffness;
@@ -29,7 +29,7 @@ pub struct LoadCurve {
     /// The pull at which the robot begins to press, in metres; `None` where it
     /// presses on nothing.
     pub contact: Option<f64>,
-    /// The cable's tension there, which loads are counted from, in N; 0 without
+    /// What hangs on the first cable there, which loads are counted from, in N; 0 without
     /// contact.
     pub datum: f64,
     /// The obstacles that are pressed on somewhere, by index.
@@ -55,7 +55,7 @@ impl LoadCurve {
         // A path has both sides of every change: the first that presses does not
         // yet press to speak of.
         let onset = pressing.map(|first| &states[first]);
-        let datum = onset.map_or(0.0, |state| per_bend * state.energy_slope);
+        let datum = onset.map_or(0.0, |state| per_bend * state.load());
         let from_contact = &states[pressing.unwrap_or(0)..];
         let points = from_contact.iter().map(|state| {
             let on = |obstacle: &usize| {
@@ -66,7 +66,7 @@ impl LoadCurve {
             LoadPoint {
                 pull: state.pull,
                 branch: state.branch,
-                load: per_bend * state.energy_slope - datum,
+                load: per_bend * state.load() - datum,
                 total: per_bend * state.total_multiplier(),
                 by_obstacle: obstacles.iter().map(on).collect(),
             }

@@ -99,6 +99,14 @@ impl PathState {
         }
     }
 
+    /// What hangs on the first cable, or would hold it, in rad²/m: its tension, and
+    /// with friction what is lost below the base.
+    pub fn load(&self) -> f64 {
+        self.cables
+            .first()
+            .map_or(self.energy_slope, |cable| cable.load)
+    }
+
     /// Σ λ of what presses, in rad²/m.
     pub fn total_multiplier(&self) -> f64 {
         self.contacts.iter().map(|c| c.multiplier).sum()

@@ -8,6 +8,7 @@ use super::force_scale::ForceScale;
 use super::outcome::standing;
 use super::path::{Outline, Path, clip_half_plane, hatching, outline};
 use super::quantity::{Quantity, one_two_five};
+use super::rubbing;
 use super::shares::Shares;
 use crate::contact::{Class, Contact};
 use crate::equilibrium::{Solution, Solved};
@@ -146,6 +147,7 @@ pub fn draw_on_the_way(solved: &Solved, to: &Problem, notes: &Notes) -> Drawing 
         marks.extend(before.iter().map(|node| dot(Role::Node, node.position)));
         marks.push(dot(Role::Tip, tip.position));
     }
+    marks.extend(rubbing::cones(solution, scale));
     for contact in &solution.contacts {
         if contact.class == Class::Pressing {
             let tail = contact.point;
@@ -154,6 +156,7 @@ pub fn draw_on_the_way(solved: &Solved, to: &Problem, notes: &Notes) -> Drawing 
             marks.push(mark(role, Geometry::Arrow { tail, tip }, 0.0));
         }
     }
+    marks.extend(rubbing::arrows(solution, scale));
     for contact in &solution.contacts {
         let role = Role::Contact {
             share: share(contact),
@@ -272,10 +275,12 @@ fn labels(
         .filter(|c| scale.of(c) >= LABELLED[1])
         .collect();
     pressing.sort_by(|a, b| b.multiplier.total_cmp(&a.multiplier));
-    let arrows = marks.iter().filter_map(|mark| match mark.geometry {
-        Geometry::Arrow { tail, tip } => Some((tail, tip)),
-        _ => None,
-    });
+    let arrows = marks
+        .iter()
+        .filter_map(|mark| match (mark.role, &mark.geometry) {
+            (Role::Force(_), Geometry::Arrow { tail, tip }) => Some((*tail, *tip)),
+            _ => None,
+        });
     let arrows: Vec<_> = arrows.collect();
     for contact in pressing.into_iter().take(MOST_LABELS) {
         let tip = arrows.iter().find(|(tail, _)| *tail == contact.point);
@@ -287,6 +292,7 @@ fn labels(
             },
         });
     }
+    labels.extend(rubbing::labels(solution, scale, MOST_LABELS));
     for mark in marks {
         let Role::Obstacle(index) = mark.role else {
             continue;

@@ -72,6 +72,16 @@ pub enum Role {
     Tip,
     /// A contact's multiplier, along its normal, as a share of the scale.
     Force(f64),
+    /// What friction can hold back at a contact: the cone about its normal that the
+    /// obstacle's force cannot leave.
+    Cone {
+        /// The contact's multiplier as a share of the scale.
+        share: f64,
+        /// Whether the force is at the cone's edge, so that the robot slides.
+        slides: bool,
+    },
+    /// Friction at a contact, along the obstacle's surface, as a share of the scale.
+    Friction(f64),
     /// A contact.
     Contact {
         /// Its multiplier as a share of the scale.
@@ -97,6 +107,8 @@ impl Role {
             Role::Node => "node",
             Role::Tip => "tip",
             Role::Force(_) => "force",
+            Role::Cone { .. } => "friction-cone",
+            Role::Friction(_) => "friction",
             Role::Contact {
                 class: Class::Pressing,
                 ..

@@ -145,7 +145,8 @@ fn ink(drawing: &Drawing, frame: &Frame) -> Vec<(Vector, f64)> {
             Role::Base => 0.6,
             Role::Disk | Role::TouchedDisk(_) => 3.0,
             Role::Cable | Role::SlackCable | Role::Backbone | Role::Node | Role::Tip => 3.0,
-            Role::Force(_) => 1.5,
+            Role::Force(_) | Role::Friction(_) => 1.5,
+            Role::Cone { .. } => 0.3,
             Role::Contact { .. } => 6.0,
         };
         let mut points = match &mark.geometry {

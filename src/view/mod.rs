@@ -18,6 +18,7 @@ mod outcome;
 mod paper;
 mod path;
 mod quantity;
+mod rubbing;
 mod shares;
 mod theme;
 

@@ -300,6 +300,18 @@ impl Theme {
                 width: 1.0,
                 ..Style::NOTHING
             },
+            Role::Cone { share, slides } => {
+                let pressed = believed(self.contact(share));
+                let edge = if slides { 0.8 } else { 0.4 };
+                Style {
+                    fill: Some(pressed.faded(0.16 * strength(share))),
+                    stroke: Some(pressed.faded(edge * strength(share))),
+                    width: if slides { 1.25 } else { 0.75 },
+                    ..Style::NOTHING
+                }
+            }
+            // Of the force's colour, which means grams, and told from it by its way.
+            Role::Friction(share) => self.style(Role::Force(share), standing),
             Role::Contact { share, class } => {
                 let colour = believed(self.contact(share));
                 let pressing = class == Class::Pressing;

@@ -54,6 +54,8 @@ struct Inner {
     full: bool,
     /// Whether dialogs stay open.
     waiting: bool,
+    /// Whether there are none.
+    mute: bool,
     /// What waits for their answers.
     asked: Vec<(Errand, Option<Contents>)>,
 }
@@ -100,6 +102,11 @@ impl Desk {
             Some(contents) => inner.write(errand, path.into(), contents),
             None => inner.read(errand, path.into()),
         }
+    }
+
+    /// From now on there are no dialogs.
+    pub fn lose_dialogs(&self) {
+        self.inner.lock().unwrap().mute = true;
     }
 
     /// How many dialogs are open.
@@ -186,10 +193,22 @@ impl Inner {
 impl Platform for Desk {
     fn pick(&mut self, errand: Errand, _folder: Option<&Path>) {
         let mut inner = self.inner.lock().unwrap();
-        if inner.waiting {
+        if inner.mute {
+            let suggested = PathBuf::from("/home/");
+            inner.news.push_back(News::NoDialog { errand, suggested });
+        } else if inner.waiting {
             inner.asked.push((errand, None));
         } else if let Some(path) = inner.answered(errand) {
             inner.read(errand, path);
+        }
+    }
+
+    fn answer(&mut self, errand: Errand, path: Option<PathBuf>) {
+        let mut inner = self.inner.lock().unwrap();
+        match (path, inner.asked.pop()) {
+            (None, _) => inner.news.push_back(News::Cancelled(errand)),
+            (Some(path), Some((_, Some(contents)))) => inner.write(errand, path, contents),
+            (Some(path), _) => inner.read(errand, path),
         }
     }
 
@@ -207,7 +226,13 @@ impl Platform for Desk {
         let path = match to {
             Destination::Known(path) => path,
             Destination::Ask { name, .. } => {
-                inner.offered.push(name);
+                inner.offered.push(name.clone());
+                if inner.mute {
+                    inner.asked.push((errand, Some(contents)));
+                    let suggested = PathBuf::from("/home").join(name);
+                    inner.news.push_back(News::NoDialog { errand, suggested });
+                    return;
+                }
                 if inner.waiting {
                     inner.asked.push((errand, Some(contents)));
                     return;

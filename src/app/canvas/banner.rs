@@ -2,6 +2,7 @@
 //! are no certified equilibria, and where those got stuck.
 
 use super::chip;
+use super::clear::Rather;
 use super::tools::raised;
 use super::view::Canvas;
 use crate::app::commands::Command;
@@ -66,11 +67,18 @@ fn is_stuck(live: &Live) -> bool {
 
 /// Shows why the shape is greyed, or that it is not the one that the straight
 /// robot comes to, with two ways out.
-pub fn show(ui: &mut Ui, bench: &mut Workbench, rect: Rect) {
+pub fn show(ui: &mut Ui, bench: &mut Workbench, rect: Rect, kept: &[Rect]) {
     if !is_stuck(&bench.live) {
-        if bench.live.is_on_another_branch() {
+        // What friction remembers is no branch; the status chip tells of it.
+        if bench.live.is_on_another_branch() && !bench.live.has_history() {
             let reason = "The straight robot comes to another shape at this pull.";
-            banner(ui, bench, rect, (icons::INFO, "Another branch", reason));
+            banner(
+                ui,
+                bench,
+                rect,
+                kept,
+                (icons::INFO, "Another branch", reason),
+            );
         }
         return;
     }
@@ -82,20 +90,23 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench, rect: Rect) {
         Some(solution) => words::outcome(solution, &bench.document.scene),
         None => words::spoken(&reason),
     };
-    banner(ui, bench, rect, (icons::WARNING, what, &reason));
+    banner(ui, bench, rect, kept, (icons::WARNING, what, &reason));
 }
 
-fn banner(ui: &mut Ui, bench: &mut Workbench, rect: Rect, told: (&str, &str, &str)) {
+fn banner(ui: &mut Ui, bench: &mut Workbench, rect: Rect, kept: &[Rect], told: (&str, &str, &str)) {
     let tokens = Tokens::in_ui(ui);
     let room = rect.width() - 2.0 * (super::tools::ROOM + 8.0);
     let width = room.clamp(160.0, WIDEST);
-    let top = rect.center_top() + vec2(-0.5 * width, 12.0);
+    // As high as it was in the last frame.
+    let id = ui.scope_id().with("banner height");
+    let height = ui.data(|data| data.get_temp::<f32>(id)).unwrap_or(44.0);
+    let top = super::clear::place(rect, vec2(width, height), kept, Rather::Above);
     let builder = UiBuilder::new()
         .id_salt("banner")
         .max_rect(Rect::from_min_size(top, vec2(width, 44.0)))
         .layout(Layout::top_down(Align::Min))
         .sense(Sense::click_and_drag());
-    ui.scope_builder(builder, |ui| {
+    let shown = ui.scope_builder(builder, |ui| {
         raised(&tokens, 8).show(ui, |ui| {
             let wide = width > NARROW;
             if wide {
@@ -112,6 +123,11 @@ fn banner(ui: &mut Ui, bench: &mut Workbench, rect: Rect, told: (&str, &str, &st
             }
         });
     });
+    let now = shown.response.rect.height();
+    if now != height {
+        ui.data_mut(|data| data.insert_temp(id, now));
+        ui.ctx().request_repaint();
+    }
 }
 
 fn reasons(ui: &mut Ui, (glyph, what, reason): (&str, &str, &str), tokens: &Tokens) {
@@ -172,7 +188,15 @@ pub fn rings(
     }
 }
 
-/// Where the robot got stuck, in metres.
+/// Where the robot got stuck, in metres; nowhere where it did not.
+pub(super) fn stuck_places(live: &Live) -> Vec<Vector> {
+    match live.solution() {
+        Some(solution) if is_stuck(live) => stuck_at(solution),
+        _ => Vec::new(),
+    }
+}
+
+/// Where a robot got stuck, in metres.
 fn stuck_at(solution: &Solved) -> Vec<Vector> {
     let nodes = &solution.nodes;
     match &solution.status {

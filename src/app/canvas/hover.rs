@@ -7,10 +7,10 @@ use crate::app::look::Tokens;
 use crate::app::paint::to_screen;
 use crate::app::words;
 use crate::app::workbench::{Hovered, Workbench, nodes_of_stretch};
-use crate::contact::Contact;
+use crate::contact::{Class, Contact};
 use crate::equilibrium::Solved;
 use crate::forces::Sections;
-use crate::mechanics::Problem;
+use crate::mechanics::{Problem, Slip};
 use crate::robot::{disk_name, part_name};
 use crate::units::{METRES_PER_MM, degrees, grams, millimetres, per_millimetre};
 use crate::view::{Frame, Quantity, Theme};
@@ -147,12 +147,15 @@ fn stretch_chip(bench: &Workbench, solution: &Solved, cable: usize, stretch: usi
         0 | 1 => format!("Cable, {place}"),
         _ => words::capital(&place),
     };
+    let friction = &solution.drive.friction;
+    let rubs = friction.holes > 0.0 || friction.base_loss > 0.0;
+    let strand = solution.strands.get(cable).filter(|_| rubs);
+    let slip = strand.and_then(|strand| strand.slips.get(stretch));
+    let slip = slip.map(|slip| row(&format!("In D{stretch}"), text(words::slips(*slip))));
+    let tension = tension.map(|tension| row("Tension T", tension));
     Chip {
         title: Some(title),
-        rows: tension
-            .map(|tension| row("Tension T", tension))
-            .into_iter()
-            .collect(),
+        rows: tension.into_iter().chain(slip).collect(),
     }
 }
 
@@ -163,6 +166,24 @@ fn contact_chip(bench: &Workbench, problem: &Problem, contact: &Contact) -> Chip
     let multiplier = contact.multiplier * METRES_PER_MM;
     let force = bench.document.force(contact.multiplier);
     let force = force.map(|force| row("Force", force));
+    let rubs = bench.live.solution().is_some_and(|solved| {
+        solved.drive.friction.contacts > 0.0 && contact.class == Class::Pressing
+    });
+    let held = contact.friction.abs();
+    let friction = rubs.then(|| {
+        let force = bench.document.force(held);
+        row(
+            "Friction",
+            force.unwrap_or_else(|| Quantity::significant(held * METRES_PER_MM, "rad²/mm")),
+        )
+    });
+    let slides = rubs.then(|| {
+        let how = match Slip::of(contact.slid) {
+            Slip::Sticks => "sticks",
+            Slip::In | Slip::Out => "slides",
+        };
+        row("The robot", text(how))
+    });
     Chip {
         title: Some(words::capital(&part)),
         rows: [row(
@@ -171,6 +192,8 @@ fn contact_chip(bench: &Workbench, problem: &Problem, contact: &Contact) -> Chip
         )]
         .into_iter()
         .chain(force)
+        .chain(friction)
+        .chain(slides)
         .chain([row(
             "Multiplier λ",
             Quantity::significant(multiplier, "rad²/mm"),

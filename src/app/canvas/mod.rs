@@ -5,6 +5,7 @@ mod backdrop;
 mod banner;
 mod camera;
 mod chip;
+mod clear;
 mod drag;
 mod gravity;
 mod handles;
@@ -17,6 +18,7 @@ mod menu;
 mod other;
 mod overlay;
 mod photo;
+mod pins;
 mod pointer;
 mod pull;
 mod shade;
@@ -24,6 +26,7 @@ mod tip_force;
 mod tools;
 mod view;
 
+pub use clear::{Rather, kept, place};
 pub use keys::hold_space;
 pub use view::Canvas;
 
@@ -111,6 +114,7 @@ fn picture(
     {
         canvas.shade = None;
     }
+    pins::paint(&painter, bench.pins.all(), frame, &tokens);
     drawing(&painter, bench.live.drawing(), frame, theme);
     if bench.preferences.compare {
         other::outline(&painter, bench, frame, &tokens);
@@ -174,7 +178,8 @@ fn overlays(
     }
     canvas.strip = tools::show(ui, canvas, bench, rect);
     understated_over(ui, bench, corner_above_legend(rect));
-    banner::show(ui, bench, rect);
+    let kept = kept(canvas, bench);
+    banner::show(ui, bench, rect, &kept);
     let painter = ui.painter_at(rect);
     if let (Some(drag), Some(pointer)) = (&canvas.drag, pointer) {
         let numbers = drag.reading(bench);

@@ -125,6 +125,11 @@ impl Canvas {
         self.camera.frame()
     }
 
+    /// Where it is on the screen.
+    pub fn room(&self) -> Rect {
+        self.rect
+    }
+
     /// Removes the selected vertex of an obstacle, if one is selected and can
     /// be spared. Whether one was selected.
     pub fn remove_vertex(&mut self, index: usize, shape: &mut Shape) -> bool {

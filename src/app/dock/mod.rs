@@ -8,6 +8,7 @@ use super::files;
 use super::platform::Errand;
 use super::plots::{Link, Plot, PlotAction, PlotCache, PlotData};
 use super::workbench::{Hovered, Playing, Selection, Workbench};
+use crate::equilibrium::Occurrence;
 use crate::forces::{Statics, Window};
 use crate::units::{METRES_PER_MM, millimetres};
 use eframe::egui::{
@@ -51,8 +52,10 @@ pub struct Dock {
     /// All panes in one group, for where there is no room for more.
     stack: Tree<Pane>,
     cache: PlotCache,
-    /// The pulls that lines are fitted on: the paper's, until it is dragged.
-    window: Window,
+    /// The pulls that lines are fitted on, once a hand has dragged them …
+    window: Option<Window>,
+    /// … in this document, see [`Workbench::opened`].
+    opened: u64,
     statics: Forces,
 }
 
@@ -69,10 +72,8 @@ impl Default for Dock {
             tree: arranged(&groups()),
             stack: arranged(&[groups().concat()]),
             cache: PlotCache::default(),
-            window: Window {
-                first: 0.0,
-                last: 10.0 * METRES_PER_MM,
-            },
+            window: None,
+            opened: 0,
             statics: Forces::default(),
         }
     }
@@ -91,6 +92,23 @@ impl Forces {
         self.statics = stiffness
             .zip(solution)
             .map(|(stiffness, solved)| Statics::of(solved, stiffness));
+    }
+}
+
+/// The pulls that lines are fitted on before a hand drags them: until something touches,
+/// as far as the paper's.
+fn before_contact(bench: &Workbench) -> Window {
+    let paper = 10.0 * METRES_PER_MM;
+    let events = bench.live.path().into_iter().flat_map(|path| &path.events);
+    let made = events.filter(|event| matches!(event.what, Occurrence::ContactMade { .. }));
+    let made = made.map(|event| event.pull);
+    // A contact that there is from the start leaves nothing to fit.
+    let first = made
+        .filter(|pull| *pull > 0.01 * paper)
+        .fold(paper, f64::min);
+    Window {
+        first: 0.0,
+        last: first,
     }
 }
 
@@ -184,11 +202,16 @@ fn arranged(groups: &[Vec<Pane>]) -> Arrangement {
 /// Shows the dock in all the room there is.
 pub fn show(ui: &mut Ui, dock: &mut Dock, bench: &mut Workbench) {
     dock.statics.refresh(bench);
+    if dock.opened != bench.opened {
+        dock.opened = bench.opened;
+        dock.window = None;
+    }
+    let window = dock.window.unwrap_or_else(|| before_contact(bench));
     let link = Link {
         hovered: bench.hovered,
         hovering: Hovered::Nothing,
         pull: None,
-        window: dock.window,
+        window,
         calibrate: None,
     };
     let mut shown = Shown {
@@ -220,7 +243,9 @@ pub fn show(ui: &mut Ui, dock: &mut Dock, bench: &mut Workbench) {
             });
     }
     let Shown { link, actions, .. } = shown;
-    dock.window = link.window;
+    if link.window != window {
+        dock.window = Some(link.window);
+    }
     heed(bench, link);
     for action in actions {
         act(bench, action);
@@ -358,12 +383,16 @@ impl Behavior<Pane> for Shown<'_> {
 
 impl Shown<'_> {
     fn plot(&mut self, ui: &mut Ui, plot: Plot) {
+        self.bench.models.wanted |= plot == Plot::Force;
         let live = &self.bench.live;
         let data = PlotData {
             scene: &self.bench.document.scene,
             asked: live.problem(),
             solved: &live.solved(),
             path: live.path().map(|path| &**path),
+            models: self.bench.models.followed(),
+            models_generation: self.bench.models.revision(),
+            pins: self.bench.pins.all(),
             walked: self.bench.load_trace.steps(),
             cable: self.bench.cable(),
             scale: live.drawing().scale,
@@ -373,5 +402,27 @@ impl Shown<'_> {
         };
         let action = super::plots::show(ui, plot, &data, self.cache, &mut self.link);
         self.actions.extend(action);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+
+    #[test]
+    fn lines_are_fitted_until_something_touches() {
+        let text = include_str!("../../../assets/scenes/two-posts.toml");
+        let mut bench = Workbench::with(Scene::from_toml(text).unwrap());
+        bench.poll();
+        let window = before_contact(&bench);
+        let events = &bench.live.path().unwrap().events;
+        let mut touched = events.iter().map(|event| event.pull);
+        assert!(touched.any(|pull| pull == window.last), "{window:?}");
+        assert!(window.first == 0.0 && window.last < 5.35e-3, "{window:?}");
+        // Where nothing does, as far as the paper's.
+        let mut bench = Workbench::with(Scene::default());
+        bench.poll();
+        assert_eq!(before_contact(&bench).last, 10.0 * METRES_PER_MM);
     }
 }

@@ -74,6 +74,15 @@ pub fn pick(bench: &mut Workbench, errand: Errand) {
     bench.files.platform.pick(errand, folder.as_deref());
 }
 
+/// Takes the path that was typed where the system has no dialog; none gives the errand
+/// up.
+pub fn typed(bench: &mut Workbench, path: Option<PathBuf>) {
+    let Some((errand, _)) = bench.files.typing.take() else {
+        return;
+    };
+    bench.files.platform.answer(errand, path);
+}
+
 /// Reads a scene's file that is known already, to be opened like one that was
 /// picked.
 pub fn reopen(bench: &mut Workbench, path: PathBuf) {
@@ -177,6 +186,9 @@ fn meet(bench: &mut Workbench, news: News, ctx: &Context) {
             if errand == Errand::Save {
                 bench.files.saving = None;
             }
+        }
+        News::NoDialog { errand, suggested } => {
+            bench.files.typing = Some((errand, suggested.to_string_lossy().into_owned()));
         }
     }
 }

@@ -54,6 +54,16 @@ pub struct Tokens {
     /// The robot in the other mechanics: Okabe and Ito's purple, as bright as the
     /// theme asks for.
     pub other: Color32,
+    /// Pinned robots: hues of Okabe and Ito's, too.
+    pub ghosts: [Color32; 4],
+}
+
+/// Colours from their hexadecimal numbers.
+fn hues(numbers: [u32; 4]) -> [Color32; 4] {
+    numbers.map(|number| {
+        let [_, r, g, b] = number.to_be_bytes();
+        Color32::from_rgb(r, g, b)
+    })
 }
 
 impl Tokens {
@@ -79,6 +89,7 @@ impl Tokens {
             error: Color32::from_rgb(0xb4, 0x23, 0x2a),
             good: Color32::from_rgb(0x1b, 0x7f, 0x5c),
             other: Color32::from_rgb(0xa0, 0x4a, 0x84),
+            ghosts: hues([0x00_7f_5f, 0xc8_52_00, 0x00_72_b2, 0xa0_4a_84]),
         };
         match theme {
             Theme::Light => common,
@@ -93,6 +104,7 @@ impl Tokens {
                 error: Color32::from_rgb(0xff, 0x7b, 0x72),
                 good: Color32::from_rgb(0x4f, 0xc0, 0x98),
                 other: Color32::from_rgb(0xe6, 0x9a, 0xcb),
+                ghosts: hues([0x2f_d0_a2, 0xff_8a_3c, 0x56_b4_e9, 0xe6_9a_cb]),
                 ..common
             },
         }

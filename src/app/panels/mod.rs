@@ -8,6 +8,7 @@ mod mechanics;
 mod menu;
 mod outline;
 mod photo;
+mod pins;
 mod restore;
 mod settings;
 mod status;
@@ -36,6 +37,7 @@ pub fn scene(ui: &mut Ui, panels: &mut Panels, bench: &mut Workbench) {
     ui.scope(|ui| outline::show(ui, &mut panels.outline, bench, 0.4 * height));
     ui.add_space(16.0);
     mechanics::show(ui, bench);
+    pins::show(ui, bench);
     inspector::show(ui, bench);
 }
 

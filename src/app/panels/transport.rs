@@ -46,7 +46,7 @@ pub fn show(ui: &mut Ui, chip: &mut StatusChip, bench: &mut Workbench) {
             }
             if bar >= SPARE {
                 looping(ui, bench);
-                speed(ui, &mut bench.transport);
+                speed(ui, bench);
                 button(ui, bench, Command::FromStraight);
                 ui.add_space(8.0);
             }
@@ -104,17 +104,23 @@ fn looping(ui: &mut Ui, bench: &mut Workbench) {
     }
 }
 
-fn speed(ui: &mut Ui, transport: &mut Transport) {
+fn speed(ui: &mut Ui, bench: &mut Workbench) {
+    let held = bench.held(bench.cable());
+    let transport = &mut bench.transport;
+    let (speed, offered, unit) = match held {
+        Held::Pull => (&mut transport.speed_mm, &Transport::SPEEDS_MM[..], "mm/s"),
+        Held::Load => (&mut transport.speed_g, &Transport::SPEEDS_G[..], "g/s"),
+    };
     let shown = |speed: f64| {
         let decimals = usize::from(speed.fract() != 0.0);
-        Quantity::fixed(speed, decimals, "mm/s").text()
+        Quantity::fixed(speed, decimals, unit).text()
     };
     let combo = ComboBox::from_id_salt("speed")
         .width(84.0)
-        .selected_text(shown(transport.speed_mm))
+        .selected_text(shown(*speed))
         .show_ui(ui, |ui| {
-            for speed in Transport::SPEEDS_MM {
-                ui.selectable_value(&mut transport.speed_mm, speed, shown(speed));
+            for one in offered {
+                ui.selectable_value(speed, *one, shown(*one));
             }
         });
     combo.response.on_hover_text("Speed of playing");

@@ -27,6 +27,10 @@ impl Platform for Detached {
         self.refuse(errand, None);
     }
 
+    fn answer(&mut self, errand: Errand, path: Option<PathBuf>) {
+        self.refuse(errand, path);
+    }
+
     fn read(&mut self, errand: Errand, path: PathBuf) {
         self.refuse(errand, Some(path));
     }

@@ -15,7 +15,7 @@ mod web;
 
 pub use detached::Detached;
 #[cfg(not(target_arch = "wasm32"))]
-pub use native::Native;
+pub use native::{Native, in_words};
 #[cfg(all(target_arch = "wasm32", feature = "web"))]
 pub use web::Web;
 
@@ -150,6 +150,13 @@ pub enum News {
     },
     /// The user has changed their mind.
     Cancelled(Errand),
+    /// The system has no dialog to ask with: see [`Platform::answer`].
+    NoDialog {
+        /// What a file was wanted for.
+        errand: Errand,
+        /// A path that may suit, to be changed.
+        suggested: PathBuf,
+    },
 }
 
 /// Work that a window which is gone did not save.
@@ -166,6 +173,10 @@ pub trait Platform {
     /// Asks the user for a file and reads it. To be called while a click or a
     /// key is being handled: browsers refuse it at other times.
     fn pick(&mut self, errand: Errand, folder: Option<&Path>);
+
+    /// Goes on with an errand that there was no dialog for, with the path that was typed;
+    /// or gives it up.
+    fn answer(&mut self, errand: Errand, path: Option<PathBuf>);
 
     /// Reads a file.
     fn read(&mut self, errand: Errand, path: PathBuf);

@@ -8,7 +8,9 @@ use std::fs::{self, File};
 use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex};
 use std::thread::Builder;
+use std::time::{Duration, Instant};
 
 /// The desktop around a window.
 pub struct Native {
@@ -17,7 +19,13 @@ pub struct Native {
     receiver: Receiver<News>,
     /// Not there where the system gives no place for them.
     drawers: Option<Drawers>,
+    /// What is to be written as soon as it is known where, if there was no dialog.
+    unplaced: Arc<Mutex<Option<Contents>>>,
 }
+
+/// A dialog that is answered with nothing within this time was none: a hand takes
+/// longer. The system says no more than that it has failed.
+const TOO_SOON: Duration = Duration::from_millis(250);
 
 impl Native {
     /// The desktop around the window of a context; `folder` is where the
@@ -35,6 +43,7 @@ impl Native {
             sender,
             receiver,
             drawers,
+            unplaced: Arc::default(),
         }
     }
 
@@ -60,10 +69,30 @@ impl Platform for Native {
     fn pick(&mut self, errand: Errand, folder: Option<&Path>) {
         // Made here and not on the thread: macOS wants dialogs from the main one.
         let picked = dialog(errand, folder).pick_file();
-        self.run(errand, move || match pollster::block_on(picked) {
-            Some(file) => read(errand, file.path().to_owned()),
-            None => News::Cancelled(errand),
+        let suggested = folder.map(|folder| folder.join("")).unwrap_or_default();
+        self.run(errand, move || {
+            let opened = Instant::now();
+            match pollster::block_on(picked) {
+                Some(file) => read(errand, file.path().to_owned()),
+                None if opened.elapsed() < TOO_SOON => News::NoDialog { errand, suggested },
+                None => News::Cancelled(errand),
+            }
         });
+    }
+
+    fn answer(&mut self, errand: Errand, path: Option<PathBuf>) {
+        let unplaced = self.unplaced.lock().ok().and_then(|mut it| it.take());
+        match (path, unplaced) {
+            (None, _) => {
+                // Nobody listens only when the window is gone.
+                let _ = self.sender.send(News::Cancelled(errand));
+            }
+            (Some(path), Some(contents)) => {
+                let path = with_ending(errand, &path);
+                self.run(errand, move || write(errand, path, contents));
+            }
+            (Some(path), None) => self.read(errand, path),
+        }
     }
 
     fn read(&mut self, errand: Errand, path: PathBuf) {
@@ -78,11 +107,22 @@ impl Platform for Native {
         match to {
             Destination::Known(path) => self.run(errand, move || write(errand, path, contents)),
             Destination::Ask { name, folder } => {
+                let suggested = folder.clone().unwrap_or_default().join(&name);
                 let picked = dialog(errand, folder.as_deref()).set_file_name(name);
                 let picked = picked.save_file();
-                self.run(errand, move || match pollster::block_on(picked) {
-                    Some(file) => write(errand, with_ending(errand, file.path()), contents),
-                    None => News::Cancelled(errand),
+                let unplaced = Arc::clone(&self.unplaced);
+                self.run(errand, move || {
+                    let opened = Instant::now();
+                    match pollster::block_on(picked) {
+                        Some(file) => write(errand, with_ending(errand, file.path()), contents),
+                        None if opened.elapsed() < TOO_SOON => {
+                            if let Ok(mut unplaced) = unplaced.lock() {
+                                *unplaced = Some(contents);
+                            }
+                            News::NoDialog { errand, suggested }
+                        }
+                        None => News::Cancelled(errand),
+                    }
                 });
             }
         }
@@ -167,7 +207,7 @@ fn read(errand: Errand, path: PathBuf) -> News {
 }
 
 fn contents(errand: Errand, path: &Path) -> Result<Vec<u8>, String> {
-    let about = fs::metadata(path).map_err(|error| told(&error))?;
+    let about = fs::metadata(path).map_err(|error| in_words(&error))?;
     if about.is_dir() {
         return Err("it is a folder; choose a file in it".to_owned());
     }
@@ -178,10 +218,10 @@ fn contents(errand: Errand, path: &Path) -> Result<Vec<u8>, String> {
         return Err(reason);
     }
     let mut bytes = Vec::new();
-    let file = File::open(path).map_err(|error| told(&error))?;
+    let file = File::open(path).map_err(|error| in_words(&error))?;
     // A file may grow while it is read.
     let read = file.take(errand.most_bytes() + 1).read_to_end(&mut bytes);
-    read.map_err(|error| told(&error))?;
+    read.map_err(|error| in_words(&error))?;
     match errand.too_large(bytes.len() as u64) {
         Some(reason) => Err(reason),
         None => Ok(bytes),
@@ -190,7 +230,7 @@ fn contents(errand: Errand, path: &Path) -> Result<Vec<u8>, String> {
 
 fn write(errand: Errand, path: PathBuf, contents: Contents) -> News {
     let written =
-        contents(&path).and_then(|bytes| replace(&path, &bytes).map_err(|error| told(&error)));
+        contents(&path).and_then(|bytes| replace(&path, &bytes).map_err(|error| in_words(&error)));
     match written {
         Ok(()) => News::Written { errand, path },
         Err(reason) => News::Failed {
@@ -231,9 +271,10 @@ pub(super) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 /// An error of the system in words that say what to do.
-fn told(error: &io::Error) -> String {
+pub fn in_words(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "it is not there any more".to_owned(),
+        io::ErrorKind::IsADirectory => "it is a folder; choose a file in it".to_owned(),
         io::ErrorKind::PermissionDenied => {
             "you may not read or change it; choose another place, or ask whoever owns it".to_owned()
         }
@@ -243,8 +284,16 @@ fn told(error: &io::Error) -> String {
         io::ErrorKind::ReadOnlyFilesystem => {
             "that place cannot be written to; choose another".to_owned()
         }
-        _ => error.to_string(),
+        _ => without_number(&error.to_string()),
     }
+}
+
+/// An error of the system without its number, which says nothing to anyone.
+fn without_number(text: &str) -> String {
+    text.split(" (os error")
+        .next()
+        .unwrap_or(text)
+        .to_lowercase()
 }
 
 #[cfg(test)]

@@ -97,6 +97,11 @@ impl Platform for Web {
         });
     }
 
+    /// A page always has one.
+    fn answer(&mut self, errand: Errand, _path: Option<PathBuf>) {
+        self.news.leave(News::Cancelled(errand));
+    }
+
     fn read(&mut self, errand: Errand, path: PathBuf) {
         let reason = "a browser opens no file by its name; choose it again".to_owned();
         self.news.fail(errand, Some(path), reason);

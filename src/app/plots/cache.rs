@@ -2,10 +2,11 @@
 
 use super::data::PlotData;
 use super::marks::{self, Happening};
-use crate::app::workbench::nodes_of_stretch;
+use crate::app::workbench::{Assumed, nodes_of_stretch};
 use crate::contact::Class;
 use crate::explore::{LoadCurve, Path, usual_end};
 use crate::forces::{Rates, Sections, Sweep, VirtualWork, VirtualWorkError, Window};
+use crate::mechanics::Slip;
 use crate::robot::Line;
 use crate::scene::ForceReading;
 use crate::units::{degrees, grams, millimetres, newtons, per_millimetre};
@@ -33,6 +34,7 @@ struct ForceKeys {
     readings: Vec<ForceReading>,
     calibration: Option<usize>,
     window: Window,
+    models: u64,
 }
 
 /// The present shape.
@@ -59,12 +61,23 @@ pub(super) struct Pull {
     /// Disks that a stretch spans: less than one of a link in the paper's model.
     pub per_stretch: f64,
     pub is_slack: bool,
+    /// How the cable went through the hole before each stretch; nothing where it does
+    /// not rub.
+    pub slips: Vec<Slip>,
 }
 
 impl Pull {
     /// The disks, from 0 at the base, that a stretch is between.
     pub fn ends(&self, stretch: usize) -> [f64; 2] {
         [stretch, stretch + 1].map(|end| end as f64 * self.per_stretch)
+    }
+
+    /// Where a hole is: its disk, and the tension between those on its two sides.
+    pub fn hole(&self, hole: usize) -> Option<(f64, f64)> {
+        let beyond = *self.levels.get(hole)?;
+        let below = hole.checked_sub(1).map(|below| self.levels[below]);
+        let level = 0.5 * (below.unwrap_or(beyond) + beyond);
+        Some((self.ends(hole)[0], level))
     }
 
     /// The corners of a curve that is level along each stretch.
@@ -162,12 +175,14 @@ pub(super) struct Forces {
     pub curve: Option<LoadCurve>,
     /// Its total, by smooth pieces.
     pub total: Vec<Vec<PlotPoint>>,
-    /// The first cable's tension over its pull, in mm, in N or, where the stiffness is
+    /// The same in other models.
+    pub others: Vec<(Assumed, Vec<Vec<PlotPoint>>)>,
+    /// The load on the first cable over its pull, in mm, in N or, where the stiffness is
     /// not known, in rad²/m; by smooth pieces.
-    pub tension: Vec<Vec<PlotPoint>>,
-    /// The greatest tension before the last few shapes of a branch, which need more
+    pub loads: Vec<Vec<PlotPoint>>,
+    /// The greatest load before the last few shapes of a branch, which need more
     /// without bound.
-    pub widest_tension: f64,
+    pub widest_load: f64,
     /// By virtual work, where a reading fixes μ.
     pub work: Option<Result<VirtualWork, VirtualWorkError>>,
     /// What is outside the estimate's assumptions, a sentence each.
@@ -200,6 +215,7 @@ impl PlotCache {
                     && known.readings == data.readings()
                     && known.calibration == data.calibration()
                     && known.window == data.window
+                    && known.models == data.models_generation
             });
         if !forces_are_known {
             self.force_keys = Some(ForceKeys {
@@ -207,6 +223,7 @@ impl PlotCache {
                 readings: data.readings().to_vec(),
                 calibration: data.calibration(),
                 window: data.window,
+                models: data.models_generation,
             });
             self.fits = Fits::of(data, path);
             self.forces = Forces::of(data, path, &self.fits);
@@ -276,11 +293,18 @@ fn pulls(data: &PlotData<'_>) -> Vec<Pull> {
     let bay = problem.robot().segments_per_bay as f64;
     let per_stretch = nodes_of_stretch(problem, 0).len() as f64 / bay;
     let tensions = tensions.into_iter().zip(&solved.cables);
+    let friction = &solved.drive.friction;
+    let rubs = friction.holes > 0.0 || friction.base_loss > 0.0;
+    let mut slips = solved.strands.iter().filter(|_| rubs);
     tensions
         .map(|(levels, state)| Pull {
             levels,
             per_stretch,
             is_slack: state.is_slack,
+            slips: match slips.next() {
+                Some(strand) if !state.is_slack => strand.slips.clone(),
+                _ => Vec::new(),
+            },
         })
         .collect()
 }
@@ -332,9 +356,9 @@ impl Fits {
 }
 
 impl Forces {
-    /// The first cable's tension at a pull in mm; after a jump, where there are two.
-    pub fn tension_at(&self, pull: f64) -> Option<f64> {
-        let mut pieces = self.tension.iter().rev();
+    /// The load on the first cable at a pull in mm; after a jump, where there are two.
+    pub fn load_at(&self, pull: f64) -> Option<f64> {
+        let mut pieces = self.loads.iter().rev();
         pieces.find_map(|piece| value_at(piece, pull))
     }
 
@@ -344,22 +368,20 @@ impl Forces {
             _ => None,
         };
         let points = curve.iter().flat_map(|curve| &curve.points);
-        let points: Vec<_> = points.collect();
-        let total = points.chunk_by(|a, b| a.branch == b.branch);
-        let total = total.map(|piece| {
-            let points = piece.iter();
-            points
-                .map(|point| PlotPoint::new(grams(point.load), grams(point.total)))
-                .collect()
+        let others = data.stiffness().into_iter().flat_map(|stiffness| {
+            data.models.iter().map(move |it| {
+                let curve = LoadCurve::of(&it.path, &it.problem, stiffness);
+                (it.assumed, totals(&curve))
+            })
         });
         let per_bend = data.stiffness();
         let per_bend = per_bend.map_or(1.0, |ei| ei.per_bend(data.problem()));
         let pieces = path.into_iter().flat_map(Path::pieces);
-        let tension: Vec<Vec<PlotPoint>> = pieces
+        let loads: Vec<Vec<PlotPoint>> = pieces
             .map(|piece| {
                 let states = piece.iter();
                 states
-                    .map(|s| PlotPoint::new(millimetres(s.pull), per_bend * s.energy_slope))
+                    .map(|s| PlotPoint::new(millimetres(s.pull), per_bend * s.load()))
                     .collect()
             })
             .collect();
@@ -380,17 +402,30 @@ impl Forces {
         };
         let read = data.readings().iter().map(|reading| reading.load_g);
         let read = 1.2 * read.fold(0.0, f64::max);
-        let reached = usual_end(points.iter().map(|point| grams(point.load)));
+        let reached = usual_end(points.map(|point| grams(point.load)));
         Self {
-            total: total.collect(),
+            total: curve.as_ref().map(totals).unwrap_or_default(),
+            others: others.collect(),
             widest: if read > 0.0 { read } else { reached },
-            widest_tension: usual_end(tension.iter().flatten().map(|point| point.y)),
-            tension,
+            widest_load: usual_end(loads.iter().flatten().map(|point| point.y)),
+            loads,
             work,
             caveats,
             curve,
         }
     }
+}
+
+/// All forces over the load, in grams, by smooth pieces.
+fn totals(curve: &LoadCurve) -> Vec<Vec<PlotPoint>> {
+    let pieces = curve.points.chunk_by(|a, b| a.branch == b.branch);
+    let pieces = pieces.map(|piece| {
+        let points = piece.iter();
+        points
+            .map(|point| PlotPoint::new(grams(point.load), grams(point.total)))
+            .collect()
+    });
+    pieces.collect()
 }
 
 /// The value of a curve at an abscissa, straight between its points.

@@ -1,7 +1,7 @@
 //! What there is to plot, and what a hand on a plot asks for: plain data, with
 //! no pane and no picture.
 
-use crate::app::workbench::{Hovered, Step};
+use crate::app::workbench::{Followed, Hovered, Pin, Step};
 use crate::equilibrium::Solved;
 use crate::explore::Path;
 use crate::forces::{Stiffness, Window};
@@ -79,6 +79,12 @@ pub struct PlotData<'a> {
     pub solved: &'a Solved,
     /// The robot along its pull, as far as it is known.
     pub path: Option<&'a Path>,
+    /// The first cable's path in other models, for the force's plot.
+    pub models: &'a [Followed],
+    /// Changes whenever these do.
+    pub models_generation: u64,
+    /// Robots that were pinned, with their paths.
+    pub pins: &'a [Pin],
     /// How the cables were loaded.
     pub walked: &'a [Step],
     /// The cable that is set, from 0.
@@ -97,6 +103,12 @@ impl PlotData<'_> {
     /// The problem that the robot is known for.
     pub fn problem(&self) -> &Problem {
         self.solved.problem()
+    }
+
+    /// What hangs on the first cable, or would hold it, in rad²/m.
+    pub fn first_load(&self) -> f64 {
+        let first = self.solved.cables.first();
+        first.map_or_else(|| self.solved.energy_slope(), |cable| cable.load)
     }
 
     /// The stiffness, where the scene has one.

@@ -1,7 +1,7 @@
 //! The energy over the pull, with what happens on the way: contacts made and
 //! lost, jumps, ends.
 
-use super::cache::PlotCache;
+use super::cache::{Piece, PlotCache};
 use super::data::{Link, Plot, PlotData};
 use super::marks;
 use super::over_pull::{Cursor, Edges, Knob, read_at};
@@ -15,6 +15,19 @@ use crate::app::workbench::Hovered;
 use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::{Axis, Chart, CurveStyle, Quantity, Series};
 use eframe::egui::{Ui, vec2};
+use egui_plot::PlotPoint;
+
+/// The energy's symbol, what an energy of 1 rad² is in its unit, and that unit: that of
+/// the bent backbone where its stiffness is known, the paper's sum of squares elsewhere.
+fn in_unit(data: &PlotData<'_>) -> (&'static str, f64, &'static str) {
+    match data.stiffness() {
+        Some(stiffness) => {
+            let newton_metres = stiffness.per_bend(data.problem());
+            ("U", millimetres(newton_metres), "N mm")
+        }
+        None => ("J", 1.0, "rad²"),
+    }
+}
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -25,16 +38,19 @@ pub(super) fn show(
     let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
     let pieces = &cache.along.pieces;
     let pull = millimetres(read_at(data, link));
+    let (symbol, factor, unit) = in_unit(data);
     let mut reading = Text::default();
     if let Some(energy) = cache.along.value(|piece| &piece.energy, pull) {
         reading = reading
             .value("pull", &Quantity::fixed(pull, 2, "mm"), &tokens)
-            .value("J", &Quantity::significant(energy, "rad²"), &tokens);
+            .value(
+                symbol,
+                &Quantity::significant(factor * energy, unit),
+                &tokens,
+            );
     }
-    let energy = Quantities {
-        name: "Energy J",
-        unit: "rad²",
-    };
+    let name = format!("Energy {symbol}");
+    let energy = Quantities { name: &name, unit };
     let name = ordinate(&energy, &tokens);
     let asked = header(ui, Plot::Energy, name, reading, |_| {});
     if pieces.is_empty() {
@@ -49,15 +65,22 @@ pub(super) fn show(
     // Room above the curve for the marks and their names.
     let top = marks::height(&cache.along.marks);
     let most = pieces.iter().flat_map(|piece| &piece.energy);
-    let most = most.map(|point| point.y).fold(0.0, f64::max);
+    let most = factor * most.map(|point| point.y).fold(0.0, f64::max);
+    let scaled = |piece: &Piece| {
+        let points = piece.energy.iter();
+        points
+            .map(|point| PlotPoint::new(point.x, factor * point.y))
+            .collect::<Vec<_>>()
+    };
+    let pieces: Vec<Vec<PlotPoint>> = pieces.iter().map(scaled).collect();
     let inner = f64::from((height - 44.0).max(1.0));
     let headroom = most * (1.0 + f64::from(top) / (inner - f64::from(top)).max(1.0));
     let plot = canvas("energy", height, &abscissa, &tokens, Whole::No)
         .set_margin_fraction(vec2(0.03, 0.03))
         .include_y(headroom);
     let shown = plot.show(ui, |plot| {
-        for piece in pieces {
-            plot.line(curve("J", &piece.energy, hue(theme, 0)));
+        for piece in &pieces {
+            plot.line(curve("energy", piece, hue(theme, 0)));
         }
     });
     named(&shown.response, "Energy over the pull");
@@ -67,7 +90,7 @@ pub(super) fn show(
     let surface = Surface::of(&painter, &shown.response, shown.transform, &tokens);
     surface.zero(&tokens);
     for pair in pieces.windows(2) {
-        surface.jump(pair[0].energy.last(), pair[1].energy.first(), hue(theme, 0));
+        surface.jump(pair[0].last(), pair[1].first(), hue(theme, 0));
     }
     let cursor = Cursor {
         edges: Edges::Hidden,
@@ -78,7 +101,7 @@ pub(super) fn show(
     let mark = marks::draw(&surface, &cache.along.marks, &tokens);
     let present = millimetres(data.solved.pull);
     if let Some(here) = cache.along.value(|piece| &piece.energy, present) {
-        let at = surface.at(present, here);
+        let at = surface.at(present, factor * here);
         surface.dot(at, hue(theme, 0), &tokens);
     }
     if let Some(mark) = mark {

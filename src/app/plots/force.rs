@@ -3,20 +3,22 @@
 
 use super::cache::{PlotCache, value_at};
 use super::data::{Link, Plot, PlotData};
+use super::legend;
+use super::multipliers::ceiling;
 use super::pane::{
     Asked, Quantities, Surface, Text, Whole, canvas, cell, curve, empty, header, hue, named,
     ordinate,
 };
 use crate::app::look::{Tokens, icon, icons, theme_of};
 use crate::app::words;
-use crate::app::workbench::Hovered;
+use crate::app::workbench::{Assumed, Hovered};
 use crate::contact::Class;
 use crate::explore::LoadPoint;
 use crate::mechanics::Model;
 use crate::scene::ForceReading;
 use crate::units::{grams, millimetres, newtons};
 use crate::view::{Axis, Chart, CurveStyle, Quantity, Series};
-use eframe::egui::{Align2, CursorIcon, Response, RichText, Sense, Stroke, Ui, pos2, vec2};
+use eframe::egui::{Align2, CursorIcon, Pos2, Response, RichText, Sense, Stroke, Ui, pos2, vec2};
 use egui_plot::{Line, PlotPoint};
 
 /// How near the pointer has to be to a reading.
@@ -43,7 +45,7 @@ fn present(data: &PlotData<'_>, cache: &PlotCache) -> Option<PlotPoint> {
     let contacts = data.solved.contacts.iter();
     let pressing = contacts.filter(|contact| contact.class == Class::Pressing);
     let force = per_bend * pressing.map(|contact| contact.multiplier).sum::<f64>();
-    let load = per_bend * data.solved.energy_slope() - curve.datum;
+    let load = per_bend * data.first_load() - curve.datum;
     (curve.contact.is_some() && force > 0.0).then(|| PlotPoint::new(grams(load), grams(force)))
 }
 
@@ -78,8 +80,8 @@ pub(super) fn show(
     let painter = ui.painter().with_clip_rect(*transform.frame());
     let surface = Surface::of(&painter, &response, transform, &tokens);
     surface.zero(&tokens);
-    caveats(ui, &surface, cache, &tokens);
-    names(ui, &surface, data, cache);
+    let below = caveats(ui, &surface, cache, &tokens);
+    legend::paint(ui, &surface, data, cache, below);
     for point in [here, twin].into_iter().flatten() {
         let at = surface.at(point.x, point.y);
         painter.circle_filled(at, 4.5, tokens.accent);
@@ -177,34 +179,35 @@ fn understated(
     response.clicked().then_some(Asked::Slide)
 }
 
-/// How many of the estimate's assumptions do not hold; which, on hover.
-fn caveats(ui: &mut Ui, surface: &Surface<'_>, cache: &PlotCache, tokens: &Tokens) {
+/// How many of the estimate's assumptions do not hold; which, on hover. Returns where
+/// there is room below that.
+fn caveats(ui: &mut Ui, surface: &Surface<'_>, cache: &PlotCache, tokens: &Tokens) -> Pos2 {
+    let corner = surface.frame().left_top() + vec2(8.0, 4.0);
     let caveats = &cache.forces.caveats;
     let text = match (caveats.len(), &cache.forces.work) {
-        (0, _) => return,
+        (0, _) => return corner,
         (_, Some(Err(_))) => "no estimate by virtual work".to_owned(),
         (1, _) => "an assumption of virtual work does not hold".to_owned(),
         (count, _) => format!("{count} assumptions of virtual work do not hold"),
     };
-    let corner = surface.frame().left_top() + vec2(8.0, 4.0);
     let text = Text::of(&text, tokens.warning);
     let area = surface.name(corner, Align2::LEFT_TOP, text);
     let id = ui.scope_id().with("caveats");
     let response = ui.interact(area, id, Sense::hover());
     named(&response, "Assumptions of virtual work");
     response.on_hover_text(caveats.join("\n"));
+    pos2(corner.x, area.bottom())
 }
 
 /// The least extent of an axis, in g: one of nothing would have no scale, and no
 /// scale shows less than a microgram.
 const LEAST_EXTENT_G: f64 = 1e-6;
 
-/// The greatest load that is shown: the readings' and the present one, unless
-/// that is far away.
+/// The greatest load that is shown: the readings' or the path's usual one, and the
+/// present one in any case.
 fn widest(data: &PlotData<'_>, cache: &PlotCache) -> f64 {
-    let here = present(data, cache).map_or(0.0, |point| 1.1 * point.x);
-    let widest = cache.forces.widest;
-    widest.max(here.min(2.0 * widest)).max(LEAST_EXTENT_G)
+    let here = present(data, cache).map_or(0.0, |point| ceiling(1.05 * point.x));
+    cache.forces.widest.max(here).max(LEAST_EXTENT_G)
 }
 
 fn curves(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> egui_plot::PlotResponse<()> {
@@ -220,9 +223,13 @@ fn curves(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> egui_plot::Plo
         .iter()
         .map(|reading| reading.force_g)
         .fold(0.0, f64::max);
-    for piece in &forces.total {
+    let others = forces.others.iter().flat_map(|(_, pieces)| pieces);
+    for piece in forces.total.iter().chain(others) {
         let seen = piece.iter().filter(|point| point.x <= widest);
         highest = seen.map(|point| point.y).fold(highest, f64::max);
+    }
+    if let Some(here) = present(data, cache) {
+        highest = highest.max(here.y);
     }
     if let Some(force) = by_work(cache, widest) {
         highest = highest.max(force);
@@ -236,10 +243,21 @@ fn curves(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> egui_plot::Plo
         .include_y(1.05 * highest.max(LEAST_EXTENT_G));
     let work = by_work(cache, widest);
     plot.show(ui, |plot| {
+        // A branch that stiffens without bound must not set the scale.
+        let seen = |piece: &[PlotPoint]| {
+            let beyond = piece.iter().position(|point| point.x > widest);
+            beyond.unwrap_or(piece.len())
+        };
+        for (assumed, pieces) in &forces.others {
+            let thin = Stroke::new(1.25, legend::ink(*assumed, theme));
+            for piece in pieces {
+                let line = curve("other", &piece[..seen(piece)], thin.color);
+                plot.line(line.stroke(thin));
+            }
+        }
+        let own = legend::ink(Assumed::of(data.problem()), theme);
         for piece in &forces.total {
-            // A branch that stiffens without bound must not set the scale.
-            let seen = piece.partition_point(|point| point.x <= widest);
-            plot.line(curve("multipliers", &piece[..seen], hue(theme, 0)));
+            plot.line(curve("own", &piece[..seen(piece)], own));
         }
         if let Some(force) = work {
             let ends = vec![[0.0, 0.0], [widest, force]];
@@ -247,59 +265,6 @@ fn curves(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> egui_plot::Plo
             plot.line(line.stroke(Stroke::new(2.0, hue(theme, 1))));
         }
     })
-}
-
-/// The curves' names, beside their ends.
-fn names(ui: &Ui, surface: &Surface<'_>, data: &PlotData<'_>, cache: &PlotCache) {
-    let (theme, tokens) = (theme_of(ui), Tokens::in_ui(ui));
-    let right = surface.transform.bounds().max()[0];
-    let mut taken = None;
-    if let Some(Ok(work)) = &cache.forces.work
-        && let Some(force) = by_work(cache, 0.62 * right)
-    {
-        // Below the line, where nothing of it is.
-        let ink = hue(theme, 1);
-        let friction = Quantity::fixed(work.friction(), 3, "").digits;
-        let text = Text::of("virtual work", ink).and(&format!("  μ = {friction}"), tokens.muted);
-        let at = surface.at(0.62 * right, force) + vec2(10.0, 8.0);
-        taken = Some(surface.name(at, Align2::LEFT_TOP, text));
-    }
-    let mut totals = cache.forces.total.iter().rev();
-    let value = totals.find_map(|piece| value_at(piece, 0.97 * right));
-    let last = cache.forces.total.last().and_then(|piece| piece.last());
-    let end = value
-        .map(|y| (0.97 * right, y))
-        .or(last.map(|point| (point.x, point.y)));
-    if let Some((x, y)) = end {
-        let text = Text::of("multipliers", hue(theme, 0));
-        let mut at = surface.at(x, y) + vec2(-6.0, -6.0);
-        if let Some(other) = taken
-            && (other.top() - 4.0..other.bottom() + 16.0).contains(&at.y)
-        {
-            at.y = other.bottom() + 18.0;
-        }
-        // Clear of the way to what is missing, in the lower corner.
-        at.y = at.y.min(surface.frame().bottom() - 34.0);
-        surface.name(at, Align2::RIGHT_BOTTOM, text);
-    }
-    // Which obstacle takes how much, where there are several.
-    if let Some(curve) = &cache.forces.curve
-        && curve.obstacles.len() > 1
-        && let Some(stiffness) = data.stiffness()
-    {
-        let per_bend = stiffness.per_bend(data.problem());
-        let mut corner = surface.frame().left_top() + vec2(8.0, 22.0);
-        for index in &curve.obstacles {
-            let contacts = data.solved.contacts.iter();
-            let on = contacts.filter(|contact| contact.obstacle == *index);
-            let force = per_bend * on.map(|contact| contact.multiplier).sum::<f64>();
-            let name = words::obstacle_of(data.scene, *index);
-            let shown = Quantity::significant(grams(force), "g");
-            let text = Text::default().value(&name, &shown, &tokens);
-            let rect = surface.name(corner, Align2::LEFT_TOP, text);
-            corner = pos2(corner.x, rect.bottom());
-        }
-    }
 }
 
 /// The index of the reading that the pointer is on.
@@ -360,10 +325,18 @@ fn told(response: Response, data: &PlotData<'_>, cache: &PlotCache, index: usize
         eframe::egui::Grid::new("errors")
             .num_columns(3)
             .show(ui, |ui| {
-                let theories = [
-                    ("virtual work", by_work(cache, reading.load_g)),
-                    ("multipliers", by_multipliers(cache, reading.load_g)),
-                ];
+                let own = Assumed::of(data.problem());
+                let work = ("virtual work", by_work(cache, reading.load_g));
+                let own = (
+                    legend::word(own, own),
+                    by_multipliers(cache, reading.load_g),
+                );
+                let others = cache.forces.others.iter().map(|(assumed, pieces)| {
+                    let mut pieces = pieces.iter().rev();
+                    let force = pieces.find_map(|piece| value_at(piece, reading.load_g));
+                    (legend::word(*assumed, Assumed::of(data.problem())), force)
+                });
+                let theories = [work, own].into_iter().chain(others);
                 for (name, theory) in theories {
                     if let Some(theory) = theory {
                         let error = theory - reading.force_g;
@@ -422,15 +395,23 @@ pub(super) fn csv(
             row("virtual work", reading.load_g, force, "", "")?;
         }
     }
+    let own = Assumed::of(data.problem());
     if let Some(curve) = &cache.forces.curve {
+        let source = legend::word(own, own);
         for point in &curve.points {
             let pull = cell(millimetres(point.pull));
             let load = grams(point.load);
-            row("multipliers", load, grams(point.total), &pull, "all")?;
+            row(source, load, grams(point.total), &pull, "all")?;
             for (index, force) in curve.obstacles.iter().zip(&point.by_obstacle) {
                 let on = words::obstacle_of(data.scene, *index);
-                row("multipliers", load, grams(*force), &pull, &on)?;
+                row(source, load, grams(*force), &pull, &on)?;
             }
+        }
+    }
+    for (assumed, pieces) in &cache.forces.others {
+        let source = legend::word(*assumed, own);
+        for point in pieces.iter().flatten() {
+            row(source, point.x, point.y, "", "all")?;
         }
     }
     Ok(())
@@ -439,17 +420,23 @@ pub(super) fn csv(
 pub(super) fn charts(data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
     let mut series = Vec::new();
     let widest = cache.forces.widest;
+    let own = Assumed::of(data.problem());
+    let seen = |piece: &[PlotPoint]| {
+        let seen = piece.iter().filter(|point| point.x <= widest);
+        seen.map(|point| (point.x, point.y)).collect()
+    };
     for (index, piece) in cache.forces.total.iter().enumerate() {
         let name = match index {
-            0 => "by multipliers".to_owned(),
+            0 => legend::word(own, own).to_owned(),
             jumps => format!("after {jumps} jumps"),
         };
-        let seen = piece.iter().filter(|point| point.x <= widest);
-        series.push(Series::new(
-            name,
-            CurveStyle::Line,
-            seen.map(|p| (p.x, p.y)).collect(),
-        ));
+        series.push(Series::new(name, CurveStyle::Line, seen(piece)));
+    }
+    for (assumed, pieces) in &cache.forces.others {
+        for piece in pieces {
+            let name = legend::word(*assumed, own);
+            series.push(Series::new(name, CurveStyle::Dashed, seen(piece)));
+        }
     }
     if let Some(force) = by_work(cache, widest) {
         let ends = vec![(0.0, 0.0), (widest, force)];

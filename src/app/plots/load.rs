@@ -13,7 +13,7 @@ use crate::app::look::{Tokens, theme_of};
 use crate::app::workbench::Hovered;
 use crate::units::{grams, millimetres, per_millimetre};
 use crate::view::{Axis, Chart, CurveStyle, Quantity, Series};
-use eframe::egui::{Stroke, Ui, vec2};
+use eframe::egui::{Color32, Stroke, Ui, vec2};
 use egui_plot::{Line, PlotPoint};
 
 /// A hand has gone through pulls that are worth a scale of their own once they are so
@@ -35,7 +35,7 @@ impl Extent {
         let walked = data.walked.iter();
         let walked = walked.filter_map(|step| step.cables.get(data.cable));
         let pulls: Vec<f64> = walked.clone().map(|it| millimetres(it.pull)).collect();
-        let loads = walked.map(|it| per_bend * it.tension);
+        let loads = walked.map(|it| per_bend * it.load);
         let loads = about(loads);
         let end = path(data, cache).last().and_then(|piece| piece.last());
         let end = end.map_or(0.0, |point| point.x);
@@ -48,7 +48,7 @@ impl Extent {
         }
         Self {
             pulls: [pulls[0], pulls[1].max(end)],
-            loads: [loads[0], loads[1].max(cache.forces.widest_tension)],
+            loads: [loads[0], loads[1].max(cache.forces.widest_load)],
         }
     }
 }
@@ -76,7 +76,7 @@ fn walked(data: &PlotData<'_>, factor: f64) -> Vec<Vec<PlotPoint>> {
         let Some(loaded) = step.cables.get(data.cable) else {
             continue;
         };
-        let point = PlotPoint::new(millimetres(loaded.pull), factor * loaded.tension);
+        let point = PlotPoint::new(millimetres(loaded.pull), factor * loaded.load);
         if step.is_leap {
             pieces.push(Vec::new());
         }
@@ -97,9 +97,36 @@ fn per_bend(data: &PlotData<'_>) -> f64 {
 /// The path's curve, which is that of the first cable.
 fn path<'a>(data: &PlotData<'_>, cache: &'a PlotCache) -> &'a [Vec<PlotPoint>] {
     match data.cable {
-        0 => &cache.forces.tension,
+        0 => &cache.forces.loads,
         _ => &[],
     }
+}
+
+/// The curves of pinned robots, as far as they are inside, in their colours.
+fn pinned(
+    data: &PlotData<'_>,
+    extent: &Extent,
+    most: f64,
+    tokens: &Tokens,
+) -> Vec<(Vec<PlotPoint>, Color32)> {
+    let known = data.stiffness().is_some() && data.cable == 0;
+    let pins = data.pins.iter().filter(|_| known);
+    let known = pins.filter_map(|pin| Some((pin, pin.path.as_ref()?, pin.newtons?)));
+    let curves = known.flat_map(|(pin, path, newtons)| {
+        let ink = pin.ink(tokens).gamma_multiply(0.8);
+        path.pieces().map(move |piece| {
+            let [first, last] = extent.pulls;
+            let points = piece.iter();
+            let points = points.map(|state| {
+                let load = grams(newtons * state.load());
+                PlotPoint::new(millimetres(state.pull), load)
+            });
+            let inside = |at: &PlotPoint| (first..=last).contains(&at.x) && at.y <= most;
+            let seen = points.skip_while(|at| !inside(at)).take_while(inside);
+            (seen.collect(), ink)
+        })
+    });
+    curves.collect()
 }
 
 pub(super) fn show(
@@ -127,7 +154,7 @@ pub(super) fn show(
     let read = match data.cable {
         0 => {
             let pull = millimetres(read_at(data, link));
-            cache.forces.tension_at(pull).map(|load| (pull, load))
+            cache.forces.load_at(pull).map(|load| (pull, load))
         }
         _ => None,
     };
@@ -174,9 +201,14 @@ pub(super) fn show(
                 .collect()
         })
         .collect();
+    let pinned = pinned(data, &extent, loads[1], &tokens);
     let quiet = Stroke::new(1.25, tokens.muted.gamma_multiply(0.6));
     let strong = Stroke::new(2.0, hue(theme, 0));
     let shown = plot.show(ui, |plot| {
+        for (piece, ink) in &pinned {
+            let line = Line::new("pinned", &piece[..]).stroke(Stroke::new(1.25, *ink));
+            plot.line(line.allow_hover(false).allow_band(false));
+        }
         for (pieces, stroke) in [(&behind, quiet), (&walked, strong)] {
             for piece in pieces {
                 let line = Line::new("load", &piece[..]).stroke(stroke);
@@ -216,8 +248,8 @@ pub(super) fn csv(data: &PlotData<'_>, table: &mut csv::Writer<Vec<u8>>) -> csv:
     for (index, step) in data.walked.iter().enumerate() {
         for (cable, loaded) in step.cables.iter().enumerate() {
             let load = match known {
-                true => grams(per_bend * loaded.tension),
-                false => per_millimetre(loaded.tension),
+                true => grams(per_bend * loaded.load),
+                false => per_millimetre(loaded.load),
             };
             table.write_record([
                 index.to_string(),
@@ -241,7 +273,7 @@ pub(super) fn charts(data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
         points.collect()
     };
     let mut series: Vec<Series> = Vec::new();
-    let usual = cache.forces.widest_tension;
+    let usual = cache.forces.widest_load;
     for piece in path(data, cache) {
         let seen = piece.partition_point(|point| point.y <= usual);
         let points = points(&piece[..seen], factor);
@@ -255,7 +287,7 @@ pub(super) fn charts(data: &PlotData<'_>, cache: &PlotCache) -> Vec<Chart> {
     series.extend(state.map(|state| {
         let now = (
             millimetres(state.pull),
-            factor * per_bend(data) * state.tension,
+            factor * per_bend(data) * state.load,
         );
         Series::new("now", CurveStyle::Dots, vec![now])
     }));

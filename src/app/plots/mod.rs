@@ -15,6 +15,8 @@ pub mod data;
 mod energy;
 mod export;
 mod force;
+mod holes;
+mod legend;
 mod load;
 mod marks;
 mod multipliers;

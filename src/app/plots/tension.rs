@@ -3,6 +3,7 @@
 
 use super::cache::{PlotCache, Pull};
 use super::data::{Link, Plot, PlotData};
+use super::holes;
 use super::multipliers::{ceiling, scale};
 use super::pane::{
     Asked, Quantities, Surface, Text, Whole, canvas, cell, curve, empty, header, hue, named,
@@ -100,6 +101,7 @@ pub(super) fn show(
         let y = surface.y(factor * pull.levels[stretch]);
         painter.hline(left..=right, y, Stroke::new(4.0, hue(theme, cable)));
     }
+    holes::paint(&surface, pulls, factor, theme, &tokens);
     names(&surface, pulls, factor, theme, &tokens);
     if let Some(on) = under(&surface, pulls, factor, link) {
         link.hovering = on;
@@ -137,7 +139,11 @@ fn reading(
     };
     let place = words::stretch(data.problem(), pulls.len(), cable, stretch);
     let level = factor * pulls[cable].levels[stretch];
-    let text = Text::of(&place, tokens.muted);
+    let mut text = Text::of(&place, tokens.muted);
+    if let Some(slip) = pulls[cable].slips.get(stretch) {
+        let how = words::slips(*slip);
+        text = text.and(&format!("  D{stretch} {how}"), tokens.muted);
+    }
     match data.stiffness() {
         Some(_) => text.value("T", &Quantity::fixed(level, 1, "g"), tokens),
         None => text
@@ -222,7 +228,8 @@ pub(super) fn csv(
     } else {
         "tension_rad2_per_mm"
     };
-    table.write_record(["cable", "stretch", "from_disk", "to_disk", tension])?;
+    let head = ["cable", "stretch", "from_disk", "to_disk", tension, "slips"];
+    table.write_record(head)?;
     for (index, pull) in cache.shape.pulls.iter().enumerate() {
         for (stretch, level) in pull.levels.iter().enumerate() {
             let [from, to] = pull.ends(stretch);
@@ -237,6 +244,11 @@ pub(super) fn csv(
                 cell(from),
                 cell(to),
                 cell(level),
+                // Through the hole that the stretch starts from.
+                pull.slips
+                    .get(stretch)
+                    .map_or("", |slip| slip.word())
+                    .to_owned(),
             ])?;
         }
     }

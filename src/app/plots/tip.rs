@@ -42,7 +42,7 @@ fn curves(data: &PlotData<'_>) -> [Curve; 3] {
     let tip = base.position + data.problem().length() * base.normal();
     [
         Curve {
-            name: "x",
+            name: "Δx",
             hue: 0,
             of: |piece| &piece.x,
             line: |rates| &rates.x,
@@ -51,7 +51,7 @@ fn curves(data: &PlotData<'_>) -> [Curve; 3] {
             unit: "mm",
         },
         Curve {
-            name: "y",
+            name: "Δy",
             hue: 1,
             of: |piece| &piece.y,
             line: |rates| &rates.y,
@@ -202,7 +202,7 @@ fn middle(ui: &mut Ui, curves: &[Curve], cache: &PlotCache, tokens: &Tokens) {
             rates = rates
                 .and(if index == 0 { "" } else { "  " }, ink)
                 .and("f′", ink)
-                .index(curve.name, ink)
+                .index(curve.name.trim_start_matches('Δ'), ink)
                 .and(&format!(" {}", rate.digits), tokens.text);
             // x and y have the same unit.
             if index > 0 {

@@ -6,7 +6,7 @@ use crate::app::commands::{ALL, Group};
 use crate::app::look::{Tokens, colour, contact_scale, semibold, theme_of};
 use crate::view::{Role, Standing};
 use eframe::egui::{
-    Color32, Context, Frame, Grid, Label, Margin, Rect, RichText, Sense, Stroke, Ui, vec2,
+    Color32, Context, Frame, Grid, Label, Margin, Rect, RichText, Sense, Shape, Stroke, Ui, vec2,
 };
 
 /// The paper whose model this is.
@@ -52,14 +52,14 @@ fn model(ui: &mut Ui) {
     ui.label(RichText::new(PAPER).small().color(Tokens::in_ui(ui).muted));
 }
 
-/// The model in five sentences.
+/// The models in five sentences.
 const MODEL: &str = "A continuum robot is an elastic backbone with disks; a cable beside it is drawn in \
-    and bends it. Cut into segments, each a four-bar linkage of backbone, cable and two disks, it takes \
-    the shape in which the squares of all angles between neighbouring disks add up to the least. No \
-    link may change its length, and no part may enter an obstacle. How hard an obstacle is pressed is \
-    its multiplier λ: how fast that sum rises when the obstacle comes nearer. The shape is followed \
-    from the straight robot along the pull, as a real robot would get there, and every shape in full \
-    colour has passed a check of its own.";
+    and bends it. The cable slides through the disks, and the robot takes the shape of least bending \
+    energy that keeps the cable's length and enters no obstacle; arrows are the forces that hold it \
+    there. In the paper's model the cable cannot slide: every segment is a four-bar linkage whose links \
+    all keep their lengths, and forces are multipliers λ, how fast the energy rises when an obstacle \
+    comes nearer. The shape is followed from the straight robot along pull or load, as a real robot \
+    would get there, and every shape in full colour has passed a check of its own.";
 
 /// What can be done with a pointer: where, with a mouse, with fingers.
 const GESTURES: &[(&str, &str)] = &[
@@ -68,6 +68,11 @@ const GESTURES: &[(&str, &str)] = &[
     ("Zoom", "wheel, or pinch"),
     ("Select", "click or tap"),
     ("Pull the cable", "drag the tip, or the slider below"),
+    (
+        "Push the tip",
+        "drag the arrow out of it, with the robot selected",
+    ),
+    ("Turn gravity", "drag its arrow, or its ends on the dial"),
     ("Change a number", "drag it, or click and type"),
     ("Open or import", "drop a file on the window"),
     ("Open a link", "paste it"),
@@ -94,7 +99,7 @@ fn colours(ui: &mut Ui) {
     let style = |role| theme.style(role, &Standing::Certified);
     let ink = |role| style(role).stroke.map_or(Color32::GRAY, colour);
     let tokens = Tokens::in_ui(ui);
-    let rows: [(Swatch, &str); 6] = [
+    let rows: [(Swatch, &str); 11] = [
         (
             Swatch::Line(ink(Role::Backbone), 3.0),
             "The backbone of the robot",
@@ -106,6 +111,26 @@ fn colours(ui: &mut Ui) {
         (
             Swatch::Scale,
             "Contacts: the stronger the colour, the harder",
+        ),
+        (
+            Swatch::Ring(tokens.warning, 2.0),
+            "A part that presses, with an arrow of its force; a thin ring only touches",
+        ),
+        (
+            Swatch::Cone(tokens.warning),
+            "Where it rubs: all that friction can hold; darker where the robot slides",
+        ),
+        (
+            Swatch::Line(tokens.accent.gamma_multiply(0.45), 1.5),
+            "Where the tip has been",
+        ),
+        (
+            Swatch::Dot(theme_contact(ui)),
+            "On the slider: a contact begins; a hollow dot: it ends. Hover for what happens",
+        ),
+        (
+            Swatch::Line(tokens.other, 1.5),
+            "The other model, and pinned robots beside it",
         ),
         (
             Swatch::Line(tokens.muted.gamma_multiply(0.5), 3.0),
@@ -122,10 +147,17 @@ fn colours(ui: &mut Ui) {
     }
 }
 
+/// The colour of a contact that presses well.
+fn theme_contact(ui: &Ui) -> Color32 {
+    colour(theme_of(ui).contact(0.7))
+}
+
 /// A sample of a colour.
 enum Swatch {
     Line(Color32, f32),
     Dot(Color32),
+    Ring(Color32, f32),
+    Cone(Color32),
     /// The contact scale.
     Scale,
 }
@@ -144,6 +176,18 @@ impl Swatch {
             }
             Swatch::Dot(colour) => {
                 painter.circle_filled(rect.center(), 5.0, *colour);
+            }
+            Swatch::Ring(colour, width) => {
+                let stroke = Stroke::new(*width, *colour);
+                painter.circle_stroke(rect.center(), 6.0, stroke);
+                painter.circle_filled(rect.center(), 2.5, *colour);
+            }
+            Swatch::Cone(colour) => {
+                let corners = [vec2(-12.0, 0.0), vec2(12.0, -6.0), vec2(12.0, 6.0)];
+                let corners = corners.map(|corner| rect.center() + corner);
+                let fill = colour.gamma_multiply(0.25);
+                let cone = Shape::convex_polygon(corners.to_vec(), fill, Stroke::new(1.0, *colour));
+                painter.add(cone);
             }
             Swatch::Scale => {
                 let bar = Rect::from_center_size(rect.center(), vec2(rect.width(), 10.0));

@@ -7,6 +7,7 @@ mod gallery;
 mod guard;
 mod help;
 mod palette;
+mod path;
 mod trouble;
 
 use crate::app::workbench::{Trouble, Workbench};
@@ -67,7 +68,8 @@ impl Sheets {
 
     /// Whether anything lies over the window, now that it has taken its news.
     pub fn is_open(&self, bench: &Workbench) -> bool {
-        self.sheet.is_some() || bench.files.guarded.is_some()
+        let files = &bench.files;
+        self.sheet.is_some() || files.guarded.is_some() || files.typing.is_some()
     }
 }
 
@@ -88,6 +90,7 @@ pub fn show(ctx: &Context, sheets: &mut Sheets, bench: &mut Workbench) {
         sheets.sheet = None;
     }
     guard::show(ctx, bench);
+    path::show(ctx, bench);
     sheets.take_news(bench);
 }
 

@@ -31,6 +31,8 @@ pub struct Number<'a> {
     pub name: &'a str,
     /// The paper's symbol for it; empty where it has none.
     pub symbol: &'a str,
+    /// What it means, without a stop: told on hover. Empty where the name says it.
+    pub meaning: &'a str,
     /// What is to be typed.
     pub kind: Kind,
     /// The values that are allowed.
@@ -49,6 +51,7 @@ impl<'a> Number<'a> {
             place: "inspector",
             name,
             symbol: "",
+            meaning: "",
             kind: Kind::Length,
             limits,
             step: 1,
@@ -169,7 +172,10 @@ impl<'a> Form<'a> {
         let mut changed = false;
         stable(ui, &number.path, |ui| {
             ui.horizontal(|ui| {
-                let label = name(ui, number.name, number.symbol);
+                let mut label = name(ui, number.name, number.symbol);
+                if !number.meaning.is_empty() {
+                    label = label.on_hover_text(format!("{}.", number.meaning));
+                }
                 beside(ui, |ui| {
                     ui.spacing_mut().item_spacing.x = 4.0;
                     // Where the unit is long, at the field's expense.
@@ -263,8 +269,12 @@ impl<'a> Form<'a> {
         });
         let (response, new) = inner.inner;
         let refocused = response.gained_focus();
+        let meaning = match number.meaning {
+            "" => String::new(),
+            meaning => format!("{meaning}.\n"),
+        };
         let tip = format!(
-            "{} {}\nClick to type, drag to change",
+            "{meaning}{} {}\nClick to type, drag to change",
             number.name,
             number.range()
         );

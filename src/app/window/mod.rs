@@ -21,7 +21,7 @@ use super::panels::Panels;
 use super::platform::Platform;
 use super::sheets::{self, Sheets};
 use super::space::Space;
-use super::workbench::{Document, Gesture, Notice, Preferences, Unsaved, Workbench};
+use super::workbench::{Document, Gesture, Notice, Preferences, Unsaved, Views, Workbench};
 use super::{commands, look, photo};
 use crate::scene::{Scene, SceneError};
 use eframe::egui::{Context, Ui};
@@ -167,7 +167,12 @@ impl Sinew {
         }
         self.show(ui);
         sheets::show(&ctx, &mut self.sheets, &mut self.bench);
-        notices::show(&ctx, &mut self.bench.notices);
+        let shown = self.bench.preferences.views != Views::Space;
+        let (room, kept) = match shown {
+            true => (self.canvas.room(), canvas::kept(&self.canvas, &self.bench)),
+            false => (ctx.content_rect(), Vec::new()),
+        };
+        notices::show(&ctx, &mut self.bench.notices, room, &kept);
         files::announce(ui);
         // Commands find a scene that can be solved, so that every step of undo is
         // one.

@@ -3,15 +3,17 @@
 //! Its own few lines rather than a crate's, because they wrap on a phone, can
 //! be reached by keyboard and are read out by screen readers.
 
+use crate::app::canvas::{Rather, place};
 use crate::app::look::{Tokens, icon_button, icon_font, icons};
 use crate::app::workbench::{Notice, Notices, Tone};
 use eframe::egui::{
-    Align, Align2, Area, Context, Frame, Id, Label, Layout, Margin, Order, RichText, Ui, vec2,
+    Align, Area, Context, Frame, Id, Label, Layout, Margin, Order, Rect, RichText, Ui, vec2,
 };
 
-/// Shows the notices above the bottom edge and drops those whose time has
+/// Shows the notices in a part of the window, near its lower edge but clear of what is
+/// kept, and drops those whose time has
 /// come.
-pub fn show(ctx: &Context, notices: &mut Notices) {
+pub fn show(ctx: &Context, notices: &mut Notices, room: Rect, kept: &[Rect]) {
     if notices.is_empty() {
         return;
     }
@@ -20,17 +22,28 @@ pub fn show(ctx: &Context, notices: &mut Notices) {
         ctx.request_repaint_after(web_time::Duration::from_secs_f64(left));
     }
     let mut dismissed = None;
-    Area::new(Id::unique("notices"))
+    let width = (room.width() - 56.0).clamp(160.0, 400.0);
+    // As large as they were in the last frame, with their frame.
+    let id = Id::unique("notices height");
+    let height = ctx.data(|data| data.get_temp::<f32>(id)).unwrap_or(52.0);
+    let size = vec2(width, height);
+    let corner = place(room, size, kept, Rather::Below);
+    let shown = Area::new(Id::unique("notices"))
         .order(Order::Foreground)
-        .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -72.0))
+        .fixed_pos(corner)
         .show(ctx, |ui| {
-            ui.set_width((ctx.content_rect().width() - 32.0).min(400.0));
+            ui.set_width(width);
             for (index, notice) in notices.iter().enumerate() {
                 if one(ui, notice) {
                     dismissed = Some(index);
                 }
             }
         });
+    let now = shown.response.rect.height();
+    if now != height {
+        ctx.data_mut(|data| data.insert_temp(id, now));
+        ctx.request_repaint();
+    }
     if let Some(index) = dismissed {
         notices.dismiss(index);
     }

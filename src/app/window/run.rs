@@ -79,6 +79,7 @@ impl Sinew {
             Command::FromStraight => bench.restart(),
             Command::NextMark => bench.go_to_mark(Way::Up),
             Command::PreviousMark => bench.go_to_mark(Way::Down),
+            Command::Pin => bench.pin(),
             Command::Load => {
                 let cable = bench.cable();
                 let other = match bench.held(cable) {

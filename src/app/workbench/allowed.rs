@@ -13,6 +13,7 @@ impl Workbench {
                 let kept = matches!(self.selection, Selection::Nothing | Selection::Robot);
                 !kept
             }
+            Command::Pin => self.pins.have_room() && self.live.is_settled(),
             Command::Load => self.document.stiffness().is_some(),
             Command::Mechanics => self.other.faults().is_empty(),
             Command::Duplicate => self.selection.obstacle().is_some(),

@@ -88,6 +88,8 @@ pub struct Files {
     pub saving: Option<Saved>,
     /// The dialog of the system that is open, if any.
     pub asking: Option<Asked>,
+    /// What is being typed of a path, where the system has no dialog, and what for.
+    pub typing: Option<(Errand, String)>,
     /// Whether the window may close.
     pub closing: bool,
     /// The window's title as the system knows it.
@@ -105,6 +107,7 @@ impl Files {
             unsaved: Vec::new(),
             saving: None,
             asking: None,
+            typing: None,
             closing: false,
             title: String::new(),
             guarded: None,

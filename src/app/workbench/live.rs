@@ -208,6 +208,13 @@ impl Live {
         }
     }
 
+    /// Whether friction keeps a shape that the straight robot does not come to: it
+    /// remembers the way.
+    pub fn has_history(&self) -> bool {
+        let rubs = |solution: &Solved| !solution.drive.friction.is_none();
+        self.solution().is_some_and(rubs) && self.is_on_another_branch()
+    }
+
     /// How long the last answer took.
     pub fn time(&self) -> Duration {
         self.time

@@ -1,4 +1,4 @@
-//! How the cables were loaded: the pull and the tension of every cable in every shape
+//! How the cables were loaded: the pull and the load of every cable in every shape
 //! since the robot last started or was last another, in the order in which a hand
 //! went through them.
 
@@ -9,17 +9,17 @@ use crate::mechanics::Problem;
 /// Steps that are kept.
 const MOST: usize = 4000;
 /// A cable has moved on once its pull has, by so much of the backbone's length, or
-/// its tension, by so much of its greatest: less than half a pixel of a plot.
+/// its load, by so much of its greatest: less than half a pixel of a plot.
 const PULL_APART: f64 = 1e-5;
-const TENSION_APART: f64 = 1e-3;
+const LOAD_APART: f64 = 1e-3;
 
 /// A cable in one shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Loaded {
     /// The length drawn in, in metres.
     pub pull: f64,
-    /// The tension at the base, without its stiffness, in rad²/m.
-    pub tension: f64,
+    /// What hangs on it or would hold it, without its stiffness, in rad²/m.
+    pub load: f64,
 }
 
 /// A shape on the way.
@@ -70,7 +70,7 @@ impl LoadTrace {
         }
         let cables = solved.cables.iter().map(|state| Loaded {
             pull: state.pull,
-            tension: state.load,
+            load: state.load,
         });
         let leaps =
             |event: &crate::equilibrium::Event| matches!(event.what, Occurrence::Jump { .. });
@@ -95,9 +95,8 @@ impl LoadTrace {
 impl Step {
     fn is_apart_from(&self, last: &Step, grain: f64) -> bool {
         let moved = |(a, b): (&Loaded, &Loaded)| {
-            let tension = a.tension.abs().max(b.tension.abs());
-            (a.pull - b.pull).abs() > grain
-                || (a.tension - b.tension).abs() > TENSION_APART * tension
+            let load = a.load.abs().max(b.load.abs());
+            (a.pull - b.pull).abs() > grain || (a.load - b.load).abs() > LOAD_APART * load
         };
         self.cables.len() != last.cables.len() || self.cables.iter().zip(&last.cables).any(moved)
     }
@@ -133,10 +132,10 @@ mod tests {
         let pulls: Vec<f64> = steps.iter().map(|step| step.cables[0].pull).collect();
         assert_eq!(pulls, [5.55, 5.0, 5.2, 5.4, 5.2, 5.0].map(metres));
         for (there, back) in [(1, 5), (2, 4)] {
-            let [a, b] = [there, back].map(|at: usize| steps[at].cables[0].tension);
+            let [a, b] = [there, back].map(|at: usize| steps[at].cables[0].load);
             assert!((a - b).abs() < 1e-6 * a, "{a} {b}");
         }
-        assert!(steps[3].cables[0].tension > 1.02 * steps[2].cables[0].tension);
+        assert!(steps[3].cables[0].load > 1.02 * steps[2].cables[0].load);
         // Nothing more where nothing has moved.
         bench.poll();
         assert_eq!(bench.load_trace.steps().len(), 6);

@@ -11,7 +11,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Loads {
     path: Arc<Path>,
-    /// What dJ/dl of 1 rad²/m amounts to, in N.
+    /// What 1 rad²/m amounts to, in N.
     newtons: f64,
 }
 
@@ -33,13 +33,13 @@ impl Loads {
     pub fn load_g(&self, pull_mm: f64) -> f64 {
         let (first, last) = self.path.range().unwrap_or_default();
         let state = self.path.at(metres(pull_mm).clamp(first, last));
-        state.map_or(0.0, |state| grams(self.newtons * state.energy_slope))
+        state.map_or(0.0, |state| grams(self.newtons * state.load()))
     }
 
     /// The pull that a load amounts to, in mm: for more than any shape needs,
     /// the last pull of all.
     pub fn pull_mm(&self, load_g: f64) -> f64 {
-        let pull = self.path.pull_at_slope(newtons(load_g) / self.newtons);
+        let pull = self.path.pull_at_load(newtons(load_g) / self.newtons);
         let last = self.path.range().map_or(0.0, |range| range.1);
         millimetres(pull.unwrap_or(last))
     }
@@ -47,6 +47,6 @@ impl Loads {
     /// The greatest load that is offered, in grams. The last few shapes before a
     /// branch ends need more, without bound.
     pub fn most_g(&self) -> f64 {
-        grams(self.newtons * self.path.usual_slope())
+        grams(self.newtons * self.path.usual_load())
     }
 }

@@ -19,11 +19,14 @@ mod live;
 mod load_trace;
 mod loads;
 mod measuring;
+mod models;
 mod notices;
 mod other;
 mod photos;
+mod pins;
 mod preferences;
 mod pull;
+mod refined;
 mod refusal;
 mod selection;
 mod trace;
@@ -40,11 +43,14 @@ pub use live::{Answered, Live};
 pub use load_trace::{LoadTrace, Loaded, Step};
 pub use loads::Loads;
 pub use measuring::{Basis, Best, Measuring, Search};
+pub use models::{Assumed, Followed, Models};
 pub use notices::{Notice, Notices, Tone};
 pub use other::Other;
 pub use photos::{Coming, Photograph, Photos, Scaling, photo_centre};
+pub use pins::{Pin, Pins};
 pub use preferences::{Hints, Preferences, Rescale, Views};
 pub use pull::{Held, Playing};
+pub use refined::{Refined, Refinement};
 pub use refusal::{Complaint, Refusal};
 pub use selection::{Hovered, Selection, nodes_of_stretch};
 pub use trace::Trace;
@@ -122,6 +128,12 @@ pub struct Workbench {
     pub other: Other,
     /// The path along another cable than the first.
     pub along: Along,
+    /// The path of the first cable in other models.
+    pub models: Models,
+    /// The scene with twice the segments.
+    pub refined: Refined,
+    /// Robots that were pinned.
+    pub pins: Pins,
 }
 
 impl Workbench {
@@ -160,6 +172,9 @@ impl Workbench {
             measuring: Measuring::default(),
             other: Other::default(),
             along: Along::default(),
+            models: Models::default(),
+            refined: Refined::default(),
+            pins: Pins::default(),
         };
         bench.restart();
         bench
@@ -174,6 +189,7 @@ impl Workbench {
         self.document = Document::new(scene)?;
         self.opened += 1;
         self.held_scale = HeldScale::default();
+        self.pins.clear();
         self.selection = Selection::Nothing;
         self.transport.stop();
         self.trace.clear();
@@ -228,7 +244,13 @@ impl Workbench {
                 Update::Share { task, share } => self.measuring.go_on(task, share),
                 Update::Answer { task, answer } => match *answer {
                     Answer::BestPull(fit) => self.measuring.end(task, fit),
+                    Answer::Shape(shape) if self.refined.has_asked(task) => {
+                        self.refined.take(task, *shape);
+                    }
                     Answer::Shape(shape) => self.other.take(task, *shape),
+                    Answer::Path(path) if self.models.has_asked(task) => {
+                        self.models.take(task, *path);
+                    }
                     Answer::Path(path) => self.along.take(task, *path),
                 },
             }
@@ -255,7 +277,14 @@ impl Workbench {
             Settled::Unchanged => {}
             Settled::Changed => {
                 self.refusal = None;
-                self.ask(StartFrom::Last);
+                // Friction that comes to a shape that is there holds it as it is: what
+                // was typed would change nothing until the robot moves.
+                let drives = [&self.live.problem(), &self.document.problem()];
+                let [before, now] = drives.map(|problem| problem.drive().friction);
+                self.ask(match before == now {
+                    true => StartFrom::Last,
+                    false => StartFrom::Straight,
+                });
                 self.redraw();
                 ctx.request_repaint();
             }
@@ -281,7 +310,8 @@ impl Workbench {
     /// it is over.
     pub fn settle(&mut self, ctx: &Context) {
         self.take_edits(ctx);
-        if self.look_at_the_other() | self.look_along() {
+        self.look_at_refined();
+        if self.look_at_the_other() | self.look_along() | self.look_at_models() {
             ctx.request_repaint();
         }
         let gesture = self.gesture(ctx);

@@ -217,37 +217,54 @@ impl Workbench {
     /// Plays on for some seconds, if the robot plays.
     pub fn play_on(&mut self, seconds: f64) {
         if self.transport.is_playing() {
-            self.play(|transport, pull_mm, span| transport.advance(pull_mm, span, seconds));
+            self.play(|transport, value, span, speed| {
+                transport.advance(value, span, speed, seconds);
+            });
         }
     }
 
     /// Starts to play, or stops.
     pub fn play_or_pause(&mut self) {
-        self.play(super::Transport::toggle);
+        self.play(|transport, value, span, _| transport.toggle(value, span));
     }
 
-    /// Moves what is held of the cable at hand. A load goes over its span in the time
-    /// that a pull takes.
-    fn play(&mut self, step: impl FnOnce(&mut super::Transport, &mut f64, (f64, f64))) {
+    /// Moves what is held of the cable at hand: a pull over its span, a load up to the
+    /// last mark of its path.
+    fn play(&mut self, step: impl FnOnce(&mut super::Transport, &mut f64, (f64, f64), f64)) {
         let cable = self.cable();
-        let span = self.span_mm_of(cable);
-        let most_g = self.most_g(cable).filter(|most_g| *most_g > 0.0);
-        match (self.held(cable), most_g, self.load_g(cable)) {
-            (Held::Load, Some(most_g), Some(load_g)) => {
-                let mut share = load_g / most_g * span.1;
-                step(&mut self.transport, &mut share, (0.0, span.1));
-                let moved_g = share / span.1 * most_g;
+        match self.held(cable) {
+            Held::Load => {
+                let (Some(most_g), Some(load_g)) = (self.last_mark_g(), self.load_g(cable)) else {
+                    return;
+                };
+                let mut moved_g = load_g;
+                let speed = self.transport.speed_g;
+                let span = (0.0, most_g.max(load_g));
+                step(&mut self.transport, &mut moved_g, span, speed);
                 if moved_g != load_g {
                     self.set_load(cable, moved_g);
                 }
             }
-            (Held::Load, ..) => {}
-            (Held::Pull, ..) => {
+            Held::Pull => {
                 let mut pull_mm = self.pull_mm_of(cable);
-                step(&mut self.transport, &mut pull_mm, span);
+                let (span, speed) = (self.span_mm_of(cable), self.transport.speed_mm);
+                step(&mut self.transport, &mut pull_mm, span, speed);
                 self.set_pull_of(cable, pull_mm);
             }
         }
+    }
+
+    /// The load of the last mark of the path of the cable at hand, in g; where nothing
+    /// happens on it, or farther than the slider goes, the slider's greatest.
+    fn last_mark_g(&self) -> Option<f64> {
+        let most_g = self.most_g(self.cable()).filter(|most_g| *most_g > 0.0)?;
+        let marks = self.path_along().zip(self.loads_along());
+        let last = marks.and_then(|((path, _), loads)| {
+            let marks = path.events.iter().map(|event| millimetres(event.pull));
+            let loads = marks.map(|pull_mm| loads.load_g(pull_mm));
+            loads.filter(|load_g| *load_g > 0.0).reduce(f64::max)
+        });
+        Some(last.map_or(most_g, |last| last.min(most_g)))
     }
 }
 
@@ -313,6 +330,40 @@ mod tests {
         bench.set_pull(4.0, Playing::Stops);
         bench.play_on(0.1);
         assert_eq!(bench.pull_mm(), 4.0);
+    }
+
+    #[test]
+    fn a_load_along_the_path_is_what_hangs_on_the_cable_with_friction_too() {
+        let text = include_str!("../../../assets/scenes/two-posts.toml");
+        let mut scene = Scene::from_toml(text).unwrap();
+        scene.friction.holes = 0.275;
+        scene.friction.base_loss = 0.165;
+        let mut bench = Workbench::with(scene);
+        bench.poll();
+        bench.poll();
+        let along = bench.loads().unwrap().load_g(bench.pull_mm());
+        let now = bench.load_g(0).unwrap();
+        assert!((along - now).abs() < 1e-3 * now, "{along} {now}");
+    }
+
+    #[test]
+    fn a_load_is_played_in_grams_and_stops_at_the_last_mark() {
+        let text = include_str!("../../../assets/scenes/two-posts.toml");
+        let mut scene = Scene::from_toml(text).unwrap();
+        scene.set_drive(0, Drive::LoadG(100.0));
+        let mut bench = Workbench::with(scene);
+        bench.poll();
+        let last = bench.last_mark_g().unwrap();
+        assert!(last > 200.0 && last <= bench.most_g(0).unwrap(), "{last}");
+        bench.transport.looping = false;
+        bench.play_or_pause();
+        bench.play_on(0.1);
+        assert!((bench.load_g(0).unwrap() - 105.0).abs() < 1e-9);
+        for _ in 0..1000 {
+            bench.play_on(0.1);
+        }
+        assert!(!bench.transport.is_playing());
+        assert!((bench.load_g(0).unwrap() - last).abs() < 1e-6 * last);
     }
 
     #[test]

@@ -15,6 +15,8 @@ pub struct Transport {
     pub looping: bool,
     /// Millimetres of cable a second.
     pub speed_mm: f64,
+    /// Grams a second, where the load is held.
+    pub speed_g: f64,
     /// Whether in the paper's model, where the stiffness is known, the slider and the
     /// field beside it set the load that hangs on the cable in the place of the pull.
     /// Where cables slide it is the scene that says what is held.
@@ -35,6 +37,7 @@ impl Default for Transport {
             playing: None,
             looping: true,
             speed_mm: 2.0,
+            speed_g: 50.0,
             by_load: false,
             cable: 0,
         }
@@ -45,16 +48,19 @@ impl Transport {
     /// Speeds that are offered, in millimetres of cable a second.
     pub const SPEEDS_MM: [f64; 5] = [0.5, 1.0, 2.0, 5.0, 10.0];
 
+    /// Speeds that are offered where the load is held, in grams a second.
+    pub const SPEEDS_G: [f64; 6] = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0];
+
     /// Whether the pull is moving.
     pub fn is_playing(&self) -> bool {
         self.playing.is_some()
     }
 
     /// Starts at a pull, or stops. At the end of the span it starts over.
-    pub fn toggle(&mut self, pull_mm: &mut f64, span: (f64, f64)) {
+    pub fn toggle(&mut self, value: &mut f64, span: (f64, f64)) {
         if self.playing.take().is_none() {
-            if *pull_mm >= span.1 && !self.looping {
-                *pull_mm = span.0;
+            if *value >= span.1 && !self.looping {
+                *value = span.0;
             }
             self.playing = Some(Direction::In);
         }
@@ -65,21 +71,21 @@ impl Transport {
         self.playing = None;
     }
 
-    /// Moves the pull as far as it gets in some seconds.
-    pub fn advance(&mut self, pull_mm: &mut f64, span: (f64, f64), seconds: f64) {
+    /// Moves a pull or a load as far as it gets in some seconds, at so much a second.
+    pub fn advance(&mut self, value: &mut f64, span: (f64, f64), speed: f64, seconds: f64) {
         let Some(direction) = self.playing else {
             return;
         };
-        let step = self.speed_mm * seconds.clamp(0.0, LONGEST_FRAME);
+        let step = speed * seconds.clamp(0.0, LONGEST_FRAME);
         match direction {
-            Direction::In => *pull_mm += step,
-            Direction::Out => *pull_mm -= step,
+            Direction::In => *value += step,
+            Direction::Out => *value -= step,
         }
-        if *pull_mm >= span.1 {
-            *pull_mm = span.1;
+        if *value >= span.1 {
+            *value = span.1;
             self.playing = self.looping.then_some(Direction::Out);
-        } else if *pull_mm <= span.0 {
-            *pull_mm = span.0;
+        } else if *value <= span.0 {
+            *value = span.0;
             self.playing = self.looping.then_some(Direction::In);
         }
     }
@@ -112,13 +118,13 @@ mod tests {
         let mut transport = Transport::default();
         let mut pull = 9.9;
         transport.toggle(&mut pull, SPAN);
-        transport.advance(&mut pull, SPAN, 0.1);
+        transport.advance(&mut pull, SPAN, 2.0, 0.1);
         assert_eq!(pull, 10.0);
-        transport.advance(&mut pull, SPAN, 0.1);
+        transport.advance(&mut pull, SPAN, 2.0, 0.1);
         assert!((pull - 9.8).abs() < 1e-12, "{pull}");
         pull = 0.1;
-        transport.advance(&mut pull, SPAN, 0.1);
-        transport.advance(&mut pull, SPAN, 0.1);
+        transport.advance(&mut pull, SPAN, 2.0, 0.1);
+        transport.advance(&mut pull, SPAN, 2.0, 0.1);
         assert!(pull > 0.1 && transport.is_playing());
     }
 
@@ -130,13 +136,13 @@ mod tests {
         };
         let mut pull = 9.9;
         transport.toggle(&mut pull, SPAN);
-        transport.advance(&mut pull, SPAN, 0.1);
+        transport.advance(&mut pull, SPAN, 2.0, 0.1);
         assert!(!transport.is_playing());
         assert_eq!(pull, 10.0);
         transport.toggle(&mut pull, SPAN);
         assert_eq!(pull, 0.0);
         // A frame that hangs does not make it jump.
-        transport.advance(&mut pull, SPAN, 60.0);
+        transport.advance(&mut pull, SPAN, 2.0, 60.0);
         assert!((pull - 0.2).abs() < 1e-12, "{pull}");
     }
 

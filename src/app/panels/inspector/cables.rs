@@ -4,6 +4,7 @@
 use crate::app::look::{Segment, icon, icons, segments};
 use crate::app::widgets::{Form, Kind, Number, row, with_form};
 use crate::app::workbench::{Held, Workbench};
+use crate::equilibrium::Solved;
 use crate::scene::limits::{
     AXIAL_STIFFNESS, CABLE_SIDE, CABLES, LINE_DIAMETER, LOAD, PULL, TO_DISK,
 };
@@ -142,6 +143,14 @@ fn found(ui: &mut Ui, bench: &Workbench, cable: usize) {
     let Some(state) = bench.found(cable) else {
         return;
     };
+    let rubs = |solved: &Solved| !solved.drive.friction.is_none();
+    if !state.is_slack
+        && bench.live.solution().is_some_and(rubs)
+        && let Some(load) = bench.document.force(state.load)
+    {
+        // With friction it is not the tension.
+        row::fact(ui, "Load below base", "P", &load);
+    }
     if state.is_slack {
         let word = Quantity {
             digits: "slack".to_owned(),

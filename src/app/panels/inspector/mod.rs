@@ -2,9 +2,11 @@
 //! known of the robot's shape.
 
 mod cables;
+mod friction;
 mod loads;
 mod obstacle;
 mod robot;
+mod spacing;
 mod summary;
 
 use crate::app::workbench::{Selection, Workbench};

@@ -1,15 +1,14 @@
 //! The robot's fields.
 
-use super::{cables, loads};
+use super::{cables, friction, loads, spacing};
 use crate::app::look::{Tokens, icon, icons, semibold};
 use crate::app::widgets::{Form, Kind, Number, row, with_form};
-use crate::app::workbench::Workbench;
+use crate::app::workbench::{Refinement, Workbench};
 use crate::scene::limits::{
     ANGLE, BENDING_STIFFNESS, CABLE_OFFSET, COORDINATE, DISK_RADIUS, DISK_THICKNESS, LENGTH,
-    LINE_DIAMETER, Limits, SEGMENTS,
+    LINE_DIAMETER, Limits,
 };
 use crate::scene::{Candidates, Contact, Mechanics, Robot, Scene};
-use crate::view::Quantity;
 use eframe::egui::{self, Button, RichText, Ui, Vec2, WidgetInfo};
 
 /// Shows the robot's fields.
@@ -21,13 +20,20 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     ui.add_space(12.0);
     row::heading(ui, "Disks and cable");
     with_form(bench, |scene, form| {
-        spacing(ui, &scene.robot);
+        spacing::disks(ui, form, &mut scene.robot);
         disks(ui, form, scene);
     });
+    ui.add_space(12.0);
+    row::heading(ui, "Accuracy");
+    with_form(bench, |scene, form| spacing::accuracy(ui, form, scene));
+    refined(ui, bench);
     ui.add_space(12.0);
     cables::show(ui, bench);
     with_form(bench, |scene, form| {
         if scene.model.mechanics == Mechanics::Sliding {
+            row::heading(ui, "Friction");
+            friction::show(ui, form, scene);
+            ui.add_space(12.0);
             row::heading(ui, "Loads");
             loads::show(ui, form, scene);
             ui.add_space(12.0);
@@ -38,6 +44,30 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
         row::heading(ui, "Contact");
         contact(ui, form, &mut scene.contact);
     });
+}
+
+/// Whether what is found changes with the number of segments.
+fn refined(ui: &mut Ui, bench: &mut Workbench) {
+    let told = match bench
+        .refined
+        .told(bench.live.solution(), bench.document.stiffness())
+    {
+        Refinement::Unknown => {
+            let button = ui.button("Does it change with n?").on_hover_text(
+                "Solves the robot once more from straight, with twice the segments, and tells how \
+                 far tip and forces move",
+            );
+            if button.clicked() {
+                bench.refine();
+            }
+            return;
+        }
+        Refinement::Solving => "Solving with twice the segments…".to_owned(),
+        Refinement::Impossible => "Twice the segments are more than there may be.".to_owned(),
+        Refinement::Known(told) => told,
+    };
+    let muted = Tokens::in_ui(ui).muted;
+    ui.add(egui::Label::new(RichText::new(told).small().color(muted)).wrap());
 }
 
 /// What the stiffness is good for.
@@ -51,22 +81,6 @@ fn meaning(ui: &mut Ui, bench: &Workbench) {
     ui.add(egui::Label::new(text).wrap());
 }
 
-/// How far apart the disks are, and how many there are beside the base's.
-fn spacing(ui: &mut Ui, robot: &Robot) {
-    let bays = robot.segments.checked_div(robot.segments_per_bay);
-    let Some(bays) = bays.filter(|bays| *bays > 0) else {
-        return;
-    };
-    let spacing_mm = robot.length_mm / f64::from(bays);
-    row::fact(ui, "Disks", "", &Quantity::fixed(bays.into(), 0, ""));
-    row::fact(
-        ui,
-        "Disk spacing",
-        "",
-        &Quantity::fixed(spacing_mm, 2, "mm"),
-    );
-}
-
 fn length<'a>(key: &str, name: &'a str, limits: Limits) -> Number<'a> {
     Number::length(format!("robot.{key}"), name, limits)
 }
@@ -74,33 +88,15 @@ fn length<'a>(key: &str, name: &'a str, limits: Limits) -> Number<'a> {
 fn backbone(ui: &mut Ui, form: &mut Form<'_>, robot: &mut Robot) {
     let number = length("length_mm", "Length", LENGTH);
     form.number(ui, &number, &mut robot.length_mm);
-    let number = Number {
-        symbol: "n",
-        kind: Kind::Count,
-        step: robot.segments_per_bay,
-        ..length("segments", "Segments", SEGMENTS)
-    };
-    form.count(ui, &number, &mut robot.segments);
-    let choices: Vec<(u32, String)> = divisors(robot.segments)
-        .into_iter()
-        .map(|divisor| (divisor, divisor.to_string()))
-        .collect();
-    form.choice(
-        ui,
-        "robot.segments_per_bay",
-        (
-            "Segments per bay",
-            "Segments between neighbouring disks: any number that divides the segments",
-        ),
-        &mut robot.segments_per_bay,
-        &choices,
-    );
     let number = length("backbone_diameter_mm", "Diameter", LINE_DIAMETER);
     form.number(ui, &number, &mut robot.backbone_diameter_mm);
     let number = Number {
         symbol: "EI",
         kind: Kind::Plain,
         optional: true,
+        meaning: "EI, Young’s modulus times the second moment of area: the moment that bends the \
+                  backbone, times the radius it bends to. All forces and loads grow in \
+                  proportion; the shape under a pull does not change",
         ..length("bending_stiffness_nmm2", "Stiffness", BENDING_STIFFNESS)
     };
     form.optional(ui, &number, &mut robot.bending_stiffness_nmm2);
@@ -218,21 +214,4 @@ fn contact(ui: &mut Ui, form: &mut Form<'_>, contact: &mut Contact) {
         &mut contact.candidates,
         &choices,
     );
-}
-
-/// The numbers that divide a number, in order.
-fn divisors(number: u32) -> Vec<u32> {
-    (1..=number).filter(|d| number.is_multiple_of(*d)).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bays_divide_the_segments() {
-        assert_eq!(divisors(18), [1, 2, 3, 6, 9, 18]);
-        assert_eq!(divisors(17), [1, 17]);
-        assert_eq!(divisors(1), [1]);
-    }
 }

@@ -50,14 +50,20 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
         Some(total) => row::fact(ui, "Forces", "Σ F", total),
         None => row::fact(ui, "Multipliers", "Σ λ", &written),
     }
-    let tensions: Vec<(String, Option<Quantity>, bool)> = (0..solution.cables.len())
-        .map(|index| {
-            let cable = solution.cables[index];
-            let name = match solution.cables.len() {
-                1 => "Tension".to_owned(),
-                _ => format!("Tension {}", index + 1),
+    let count = solution.cables.len();
+    let rubs = !solution.drive.friction.is_none();
+    let cables = solution.cables.iter().enumerate();
+    let cables: Vec<_> = cables
+        .map(|(index, cable)| {
+            let name = |word: &str| match count {
+                1 => word.to_owned(),
+                _ => format!("{word} {}", index + 1),
             };
-            (name, bench.document.force(cable.tension), cable.is_slack)
+            // Without friction what hangs on it is its tension.
+            let load = bench.document.force(cable.load).filter(|_| rubs);
+            let load = load.map(|load| (name("Load"), load));
+            let tension = bench.document.force(cable.tension);
+            (load, name("Tension"), tension, cable.is_slack)
         })
         .collect();
     if force.is_none() {
@@ -66,7 +72,10 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
     understated(ui, bench);
     ui.add_space(12.0);
     row::heading(ui, "Cable");
-    for (name, tension, is_slack) in &tensions {
+    for (load, name, tension, is_slack) in &cables {
+        if let Some((name, load)) = load {
+            row::fact(ui, name, "P", load);
+        }
         match tension {
             _ if *is_slack => row::fact(ui, name, "T", &word("slack")),
             Some(tension) => row::fact(ui, name, "T", tension),

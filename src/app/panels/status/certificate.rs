@@ -59,8 +59,7 @@ fn contents(ui: &mut Ui, bench: &mut Workbench) {
     ui.add_space(4.0);
     conditions(ui, &solution.certificate);
     ui.add_space(16.0);
-    let count = solution.trace.len();
-    row::heading(ui, &format!("Last solve, {count} iterations"));
+    row::heading(ui, &iterations(solution.trace.len(), solution.iterations));
     ui.add_space(4.0);
     plot::show(ui, &solution.trace);
     ui.add_space(8.0);
@@ -95,6 +94,15 @@ fn cautions(ui: &mut Ui, cautions: &[Caution], scene: &Scene) -> bool {
             .button("Let the whole body touch")
             .on_hover_text("Obstacles keep out the body at its own size, and not only nodes")
             .clicked()
+}
+
+/// Iterations of the last solve, and of all on the way to the shape.
+fn iterations(last: usize, all: usize) -> String {
+    let word = if last == 1 { "iteration" } else { "iterations" };
+    match all > last {
+        true => format!("Last solve, {last} {word} of {all} on the whole way here"),
+        false => format!("Last solve, {last} {word}"),
+    }
 }
 
 fn verdict(ui: &mut Ui, bench: &Workbench, solution: &Solution, scene: &Scene) {
@@ -198,7 +206,11 @@ fn small(ui: &mut Ui, text: &str, indent: f32) {
 /// What an iteration tells, with what it means.
 const COLUMNS: [(&str, f32, &str); 7] = [
     ("k", 24.0, "The iteration, from 0"),
-    ("Energy", 72.0, "The energy of the scaled problem"),
+    (
+        "J − J*",
+        72.0,
+        "How far the energy is above the last one, of the scaled problem, whose energy is 1 to 100",
+    ),
     (
         "Gradient",
         72.0,
@@ -224,11 +236,12 @@ fn trace(ui: &mut Ui, trace: &[Iteration]) {
         let (name, _, meaning) = COLUMNS[index];
         (name.to_owned(), Some(muted), Some(meaning))
     });
+    let least = trace.last().map_or(0.0, |last| last.cost);
     for (k, iteration) in trace.iter().enumerate() {
         let order = |value: f64| Quantity::order(value, "").digits;
         let cells = [
             k.to_string(),
-            Quantity::significant(iteration.cost, "").digits,
+            order(iteration.cost - least),
             order(iteration.stationarity),
             order(iteration.violation),
             iteration.active.to_string(),

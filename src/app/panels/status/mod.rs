@@ -69,11 +69,16 @@ pub fn show(ui: &mut Ui, chip: &mut StatusChip, bench: &mut Workbench, bar: f32)
     written(8.0, verdict.icon(), icon_font(16.0));
     let word = written(28.0, verdict.word(), FontId::proportional(14.0));
     let mut taken = word.right();
-    if !bench.live.cautions().is_empty() {
-        let sign = painter.layout_no_wrap(icons::WARNING.into(), icon_font(14.0), tokens.warning);
+    let sign = match bench.live.cautions() {
+        [] if bench.live.has_history() => Some((icons::CLOCK_COUNTER_CLOCKWISE, tokens.muted)),
+        [] => None,
+        _ => Some((icons::WARNING, tokens.warning)),
+    };
+    if let Some((glyph, ink)) = sign {
+        let sign = painter.layout_no_wrap(glyph.into(), icon_font(14.0), ink);
         let right = (rect.left() + WORD - 8.0).max(taken + 4.0 + sign.size().x);
         let place = Align2::RIGHT_CENTER.anchor_size(pos2(right, middle), sign.size());
-        painter.galley(place.min, sign, tokens.warning);
+        painter.galley(place.min, sign, ink);
         taken = right;
     }
     if let Some(solution) = bench.live.solution()
@@ -134,8 +139,15 @@ fn tip(bench: &Workbench, verdict: Verdict) -> String {
     let cautions = bench.live.cautions().iter();
     let cautions = cautions.map(|one| format!("\n{}", words::caution(one, &bench.document.scene)));
     let cautions: String = cautions.collect();
+    let history = match bench.live.has_history() {
+        true => {
+            "\nFriction remembers the way here; from straight the robot comes to another shape \
+                 at this pull. R resets the history"
+        }
+        false => "",
+    };
     format!(
-        "{what}{cautions}\nKKT residual {}, {} iterations, {}\nClick for the certificate",
+        "{what}{cautions}{history}\nKKT residual {}, {} iterations, {}\nClick for the certificate",
         residual(solution),
         solution.iterations,
         time(bench.live.time())
