@@ -125,6 +125,11 @@ impl<const NU: usize> Sliding<NU> {
         multipliers: &[f64],
         rubbing: &mut Rubbing,
     ) {
+        if !self.has_friction() {
+            rubbing.strands.clear();
+            rubbing.drags.clear();
+            return;
+        }
         let nodes: Vec<PlanarNode> = point.nodes.each().copied().collect();
         let rows: Vec<RowId> = point.rows.iter().map(|row| row.id).collect();
         let forces = Forces {
