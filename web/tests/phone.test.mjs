@@ -112,13 +112,13 @@ test("an example is opened, and the browser's way back leads from it", async () 
   const first = await page.state();
   await tap(page, /^Menu/);
   await tap(page, /Examples …/);
-  await tap(page, /^Two discs/);
+  await tap(page, /^Load cell, true forces/);
   const one = await page.until(
     'the example is open',
-    (state) => state.settled && state.title.startsWith('Two discs'),
+    (state) => state.settled && state.title.startsWith('Load cell'),
   );
-  assert.equal(one.obstacles_mm.length, 2);
-  assert.match(page.tab.url(), /#example=two-discs$/);
+  assert.equal(one.obstacles_mm.length, 1);
+  assert.match(page.tab.url(), /#example=load-cell-forces$/);
   await page.tab.goBack();
   await page.until('the first one is back', (state) => state.settled && state.title === first.title);
   await page.tab.goForward();
