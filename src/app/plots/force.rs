@@ -81,6 +81,8 @@ pub(super) fn show(
     let surface = Surface::of(&painter, &response, transform, &tokens);
     surface.zero(&tokens);
     let below = caveats(ui, &surface, cache, &tokens);
+    let (slide, below) = understated(ui, data, below, &tokens);
+    asked = asked.or(slide);
     legend::paint(ui, &surface, data, cache, below);
     for point in [here, twin].into_iter().flatten() {
         let at = surface.at(point.x, point.y);
@@ -109,7 +111,6 @@ pub(super) fn show(
             }
         }
     }
-    asked = asked.or(understated(ui, data, &surface, &tokens));
     if data.readings().is_empty() || data.stiffness().is_none() {
         asked = asked.or(missing(ui, data, &surface));
     }
@@ -153,30 +154,26 @@ fn nothing(ui: &mut Ui, data: &PlotData<'_>, cache: &PlotCache) -> Option<Option
     None
 }
 
-/// That the multipliers' forces are the paper's, with the way to true ones.
+/// That the multipliers' forces are the paper's, with the way to true ones; and where
+/// there is room below that.
 fn understated(
     ui: &mut Ui,
     data: &PlotData<'_>,
-    surface: &Surface<'_>,
+    corner: Pos2,
     tokens: &Tokens,
-) -> Option<Asked> {
+) -> (Option<Asked>, Pos2) {
     if data.problem().model() != Model::Equal || data.stiffness().is_none() {
-        return None;
+        return (None, corner);
     }
-    let frame = surface.frame();
-    let size = vec2(150.0, 22.0);
-    // Above the way to what is missing.
-    let corner = frame.right_bottom() - size - vec2(8.0, 32.0);
-    let rect = eframe::egui::Rect::from_min_size(corner, size);
-    ui.painter()
-        .rect_filled(rect, 4.0, tokens.panel.gamma_multiply(0.85));
+    let rect = eframe::egui::Rect::from_min_size(corner - vec2(6.0, 0.0), vec2(150.0, 22.0));
     let text = RichText::new("Forces understated").size(12.0).weak();
     let sign = icon(icons::WARNING).size(14.0).color(tokens.warning);
     let button = eframe::egui::Button::new((sign, text)).frame_when_inactive(false);
     let tip = "The paper’s model does not let the cable slide, so that its forces by multipliers \
                come out too small. Click to let the cable slide.";
     let response = ui.put(rect, button).on_hover_text(tip);
-    response.clicked().then_some(Asked::Slide)
+    let asked = response.clicked().then_some(Asked::Slide);
+    (asked, pos2(corner.x, rect.bottom()))
 }
 
 /// How many of the estimate's assumptions do not hold; which, on hover. Returns where

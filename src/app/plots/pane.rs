@@ -19,6 +19,8 @@ pub(super) const SMALL: f32 = 12.0;
 const HEADER: f32 = 24.0;
 /// Height of the lowest plot that is drawn at all.
 const LOWEST: f32 = 56.0;
+/// Characters from which on a number is wider than the margin beside a plot.
+const LONG: usize = 4;
 
 /// A quantity on an axis: its name and its unit.
 #[derive(Clone, Debug)]
@@ -205,19 +207,27 @@ pub(super) fn canvas<'a>(
     let font = FontId::new(SMALL, FontFamily::Proportional);
     let hints = |hints: AxisHints<'a>| {
         hints
-            .formatter(|mark, _| tick(mark))
             .tick_label_color(tokens.muted)
             .tick_label_font(font.clone())
             .label_spacing(Rangef::new(1.0, 2.0))
     };
-    let mut x = hints(AxisHints::new_x());
+    let mut x = hints(AxisHints::new_x()).formatter(|mark, range| {
+        let text = tick(mark);
+        // A long number at the very end would be cut off by the panel's edge.
+        let share = (mark.value - range.start()) / (range.end() - range.start());
+        match text.chars().count() >= LONG && share > 0.97 {
+            true => String::new(),
+            false => text,
+        }
+    });
+    let y = hints(AxisHints::new_y()).formatter(|mark, _| tick(mark));
     if !abscissa.name.is_empty() {
         x = x.label(ordinate(abscissa, tokens).job());
     }
     egui_plot::Plot::new(id)
         .height(height.max(LOWEST))
         .custom_x_axes(vec![x])
-        .custom_y_axes(vec![hints(AxisHints::new_y()).min_thickness(44.0)])
+        .custom_y_axes(vec![y.min_thickness(44.0)])
         .x_grid_spacer(move |input| round_marks(&input, 1.7, whole))
         .y_grid_spacer(|input| round_marks(&input, 1.0, Whole::No))
         .grid_spacing(Rangef::new(34.0, 68.0))
