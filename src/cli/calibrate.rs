@@ -1,10 +1,10 @@
 //! `sinew calibrate`: stiffness and friction from measured forces and pulls.
 
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 
 use super::arguments::{Calibrate, Driving, Format};
 use super::input::{self, BadInput};
-use super::output::{csv_row, object, paragraph, printable, reader};
+use super::output::{csv_row, object, paragraph, printable, write_out};
 use super::progress::Progress;
 use super::{Failure, Outcome, tell};
 use crate::experiments::calibration::{
@@ -59,14 +59,11 @@ pub(super) fn run(what: &Calibrate) -> Result<Outcome, Failure> {
     };
     let title = scene.title.as_deref().unwrap_or("Untitled scene");
     let record = Calibration::of(&found, title.to_owned(), &scene);
-    let mut out = BufWriter::new(io::stdout().lock());
-    let written = match what.format {
-        Format::Text => text(&mut out, &record),
-        Format::Json => object(&mut out, &record),
-        Format::Csv => csv(&mut out, &record),
-    };
-    // Whoever stopped reading still gets the exit code.
-    reader(written.and_then(|()| out.flush()))?;
+    write_out(|out| match what.format {
+        Format::Text => text(out, &record),
+        Format::Json => object(out, &record),
+        Format::Csv => csv(out, &record),
+    })?;
     Ok(Outcome::Done)
 }
 

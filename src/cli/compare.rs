@@ -1,11 +1,11 @@
 //! `sinew compare`: a measured backbone against the computed one.
 
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 
 use super::arguments::{Compare, Driving, Format};
 use super::input::{self, BadInput};
-use super::output::{csv_row, object, printable, pull_shown, reader};
+use super::output::{csv_row, object, printable, pull_shown, write_out};
 use super::progress::Progress;
 use super::{Failure, Outcome, tables};
 use crate::equilibrium::{Settings, Solved, Start, Status, solve};
@@ -77,13 +77,11 @@ pub(super) fn run(what: &Compare) -> Result<Outcome, Failure> {
     }
     let title = printable(scene.title.as_deref().unwrap_or("Untitled scene"));
     let found = Fit::of(title, how, solved.problem(), &measured, &fit).leaving_out(left_out.rows());
-    let mut out = BufWriter::new(io::stdout().lock());
-    let written = match what.format {
-        Format::Text => text(&mut out, &found, &left_out),
-        Format::Json => object(&mut out, &found),
-        Format::Csv => csv(&mut out, &found),
-    };
-    reader(written.and_then(|()| out.flush()))?;
+    write_out(|out| match what.format {
+        Format::Text => text(out, &found, &left_out),
+        Format::Json => object(out, &found),
+        Format::Csv => csv(out, &found),
+    })?;
     // The other formats hold it.
     if !left_out.rows().is_empty() && what.format == Format::Csv {
         super::tell(&left_out.to_string());

@@ -2,15 +2,16 @@
 //! pull.
 
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 
 use super::arguments::{Cycle as Asked, Driving, Format};
 use super::draw::named;
 use super::input::{self, BadInput};
-use super::output::{csv_row, object, reader};
+use super::output::{csv_row, object, write_out};
 use super::progress::Progress;
 use super::{Failure, Outcome, numbers};
 use crate::explore::{Course, Cycle, Given};
+use crate::forces::Stiffness;
 use crate::math::{decimals, shortest, unsigned_zero};
 use crate::mechanics::{Model, Problem};
 use crate::record::cycle::{Cycle as Record, Row};
@@ -53,8 +54,9 @@ pub(super) fn run(what: &Asked) -> Result<Outcome, Failure> {
         progress.at((share * f64::from(RESOLUTION)) as u32);
     });
     drop(progress);
-    let stiffness = scene.robot.bending_stiffness_nmm2;
-    let per_bend = stiffness.map(|ei| 1e-6 * ei / (2.0 * problem.robot().segment_length()));
+    // Its range was checked with the scene's.
+    let stiffness = Stiffness::of_scene(&scene).ok().flatten();
+    let per_bend = stiffness.map(|stiffness| stiffness.per_bend(&problem));
     let title = scene
         .title
         .clone()
@@ -68,14 +70,11 @@ pub(super) fn run(what: &Asked) -> Result<Outcome, Failure> {
         })?;
         fs::write(path, picture).map_err(|error| named(path, &error))?;
     }
-    let mut out = BufWriter::new(io::stdout().lock());
-    let written = match what.format {
-        Format::Text => text(&mut out, &record),
-        Format::Json => object(&mut out, &record),
-        Format::Csv => csv(&mut out, &record),
-    };
-    // Whoever stopped reading still gets the exit code.
-    reader(written.and_then(|()| out.flush()))?;
+    write_out(|out| match what.format {
+        Format::Text => text(out, &record),
+        Format::Json => object(out, &record),
+        Format::Csv => csv(out, &record),
+    })?;
     Ok(match &record.reason {
         None => Outcome::Done,
         Some(reason) => Outcome::NotConverged(format!(

@@ -1,11 +1,11 @@
 //! `sinew force`: contact force against load, by virtual work (eq. 11) and,
 //! where the stiffness is known, by multipliers.
 
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 
 use super::arguments::{Driving, Force, Format, Motion};
 use super::input::{self, BadInput};
-use super::output::{csv_row, driven_shown, object, printable, pull_shown, reader};
+use super::output::{csv_row, driven_shown, object, printable, pull_shown, write_out};
 use super::{Failure, Outcome, force_text, numbers};
 use crate::contact::Contact;
 use crate::equilibrium::{Settings, Start, Status, solve};
@@ -33,14 +33,11 @@ pub(super) fn run(what: &Force) -> Result<Outcome, Failure> {
         papers_alone(what)?;
     }
     let found = estimate(what, &scene, &problem, &loads)?;
-    let mut out = BufWriter::new(io::stdout().lock());
-    let written = match what.format {
-        Format::Text => force_text::text(&mut out, &found),
-        Format::Json => object(&mut out, &found),
-        Format::Csv => csv(&mut out, &found),
-    };
-    // Whoever stopped reading still gets the exit code.
-    reader(written.and_then(|()| out.flush()))?;
+    write_out(|out| match what.format {
+        Format::Text => force_text::text(out, &found),
+        Format::Json => object(out, &found),
+        Format::Csv => csv(out, &found),
+    })?;
     Ok(found.reason.map_or(Outcome::Done, Outcome::NotConverged))
 }
 

@@ -1,7 +1,7 @@
 //! `sinew reproduce`: the paper's figures and table, printed and as a page.
 
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
 use serde::Serialize;
@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::arguments::{Report, Reproduce};
 use super::draw::named;
 use super::input::BadInput;
-use super::output::{object, paragraph, printable, reader};
+use super::output::{object, paragraph, printable, write_out};
 use super::{Failure, Outcome, tables};
 use crate::experiments::{self, Check, Id, Item, Picture};
 use crate::math::shortest;
@@ -25,12 +25,10 @@ pub(super) fn run(what: &Reproduce) -> Result<Outcome, Failure> {
         .collect();
     let items = made.map_err(|error| Failure::Making(error.into()))?;
     write_report(&what.out, &items)?;
-    let mut out = BufWriter::new(io::stdout().lock());
-    let told = match what.format {
-        Report::Text => text(&mut out, &items, &what.out),
-        Report::Json => json(&mut out, &items),
-    };
-    reader(told.and_then(|()| out.flush()))?;
+    write_out(|out| match what.format {
+        Report::Text => text(out, &items, &what.out),
+        Report::Json => json(out, &items),
+    })?;
     Ok(Outcome::Done)
 }
 

@@ -110,6 +110,24 @@ impl Solution {
         }
     }
 
+    /// The contacts that press.
+    pub fn pressing(&self) -> impl Iterator<Item = &Contact> {
+        let contacts = self.contacts.iter();
+        contacts.filter(|contact| contact.class == Class::Pressing)
+    }
+
+    /// The sum of the multipliers of what presses, in rad²/m.
+    pub fn pressed(&self) -> f64 {
+        self.pressing().map(|contact| contact.multiplier).sum()
+    }
+
+    /// What hangs on the first cable, or would hold it, in rad²/m: its tension, and with
+    /// friction what is lost below the base.
+    pub fn load(&self) -> f64 {
+        let first = self.cables.first();
+        first.map_or_else(|| self.energy_slope(), |cable| cable.load)
+    }
+
     /// dJ*/dl, in rad²/m: how the least energy rises with the pull, whose product
     /// with EI/2l_0 is the cable's tension.
     pub fn energy_slope(&self) -> f64 {

@@ -5,7 +5,6 @@ use super::data::{Backbone, Data, PostMultipliers};
 use super::item::{Check, Id, Item};
 use super::scenes::{PaperScene, picture, solved_at};
 use super::window::pull_window;
-use crate::contact::Class;
 use crate::equilibrium::{Solution, Solved};
 use crate::forces::share_of_tension;
 use crate::geometry::Vector;
@@ -109,8 +108,10 @@ pub(super) fn figure_4a() -> Result<Item, ExperimentError> {
     let (scene, problem) = PaperScene::OneDisc.problem()?;
     let pull_mm = scene.pull_mm();
     let solved = solved_at(&problem, pull_mm)?;
-    let begins = pull_window(&problem, pull_mm, STEP_MM, |s| pressing(s).next().is_some())?
-        .ok_or(ExperimentError::NoContact("the post of Fig. 4a"))?;
+    let begins = pull_window(&problem, pull_mm, STEP_MM, |s| {
+        s.pressing().next().is_some()
+    })?
+    .ok_or(ExperimentError::NoContact("the post of Fig. 4a"))?;
     let mut checks = vec![
         Check::not_given("Distance from the photograph over the length", "%", 0.58),
         Check::ours(
@@ -140,15 +141,11 @@ pub(super) fn figure_4a() -> Result<Item, ExperimentError> {
 const BOTH_POSTS: [(usize, usize); 2] = [(10, 0), (16, 1)];
 
 fn both_posts(solution: &Solution) -> bool {
-    let found: Vec<_> = pressing(solution)
+    let found: Vec<_> = solution
+        .pressing()
         .map(|c| (c.line, c.node, c.obstacle))
         .collect();
     found == BOTH_POSTS.map(|(node, obstacle)| (Line::Cable, node, obstacle))
-}
-
-fn pressing(solution: &Solution) -> impl Iterator<Item = &crate::contact::Contact> {
-    let contacts = solution.contacts.iter();
-    contacts.filter(|contact| contact.class == Class::Pressing)
 }
 
 pub(super) fn figure_4b() -> Result<Item, ExperimentError> {
@@ -195,7 +192,8 @@ fn post_checks(solved: &Solved) -> Vec<Check> {
     let problem = solved.problem();
     let mut checks = Vec::new();
     for (obstacle, which, node, disk) in [(0, "lower", 11.0, 6.0), (1, "upper", 17.0, 9.0)] {
-        let of_post: Vec<_> = pressing(solved)
+        let of_post: Vec<_> = solved
+            .pressing()
             .filter(|c| c.obstacle == obstacle)
             .collect();
         // The peak: the one that presses hardest.
@@ -225,7 +223,7 @@ fn post_checks(solved: &Solved) -> Vec<Check> {
 fn contact_checks(solved: &Solved) -> Vec<Check> {
     let problem = solved.problem();
     let mut checks = Vec::new();
-    for contact in pressing(solved) {
+    for contact in solved.pressing() {
         let part = part_name(problem.robot(), contact.line, contact.node);
         checks.push(Check::ours(
             format!("Contact at {part}: height above the base"),
@@ -253,7 +251,8 @@ pub(super) fn figure_5() -> Result<Item, ExperimentError> {
     let nodes = solved.nodes.len();
     let of_post = |name: &'static str, obstacle: usize| {
         let at = |node: usize| {
-            let here = pressing(&solved)
+            let here = solved
+                .pressing()
                 .filter(|c| c.obstacle == obstacle && c.node == node && c.line == Line::Cable);
             here.map(|c| c.multiplier).sum()
         };

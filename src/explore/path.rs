@@ -1,6 +1,5 @@
 //! A robot's equilibria along its pull, as data, and what lies between them.
 
-use crate::contact::Class;
 use crate::equilibrium::{Event, Solution, Status};
 use crate::forces::{Sweep, SweepPoint};
 use crate::geometry::Vector;
@@ -77,15 +76,14 @@ const SAME: f64 = 1e-6;
 impl PathState {
     /// The state of a solution on a branch.
     pub(super) fn of(solution: &Solution, branch: i32) -> Self {
-        let pressing = solution.contacts.iter();
-        let pressing = pressing.filter(|contact| contact.class == Class::Pressing);
         Self {
             pull: solution.pull,
             branch,
             tip: solution.tip(),
             energy: solution.energy,
             energy_slope: solution.energy_slope(),
-            contacts: pressing
+            contacts: solution
+                .pressing()
                 .map(|contact| Pressing {
                     line: contact.line,
                     node: contact.node,

@@ -7,7 +7,6 @@
 use super::statics::Statics;
 use super::stiffness::Stiffness;
 use super::sweep::SweepError;
-use crate::contact::Class;
 use crate::equilibrium::{EndReason, Settings, Solved, Start, Status, solve};
 use crate::mechanics::Problem;
 use std::f64::consts::TAU;
@@ -46,13 +45,11 @@ const GRAIN: f64 = 1e-11;
 
 /// What hangs on the first cable: its tension, and with friction what is lost below.
 fn tension(state: &Solved, per_bend: f64) -> f64 {
-    let first = state.cables.first();
-    per_bend * first.map_or_else(|| state.energy_slope(), |cable| cable.load)
+    per_bend * state.load()
 }
 
 fn presses(state: &Solved) -> bool {
-    let mut contacts = state.contacts.iter();
-    contacts.any(|contact| contact.class == Class::Pressing)
+    state.pressing().next().is_some()
 }
 
 /// The state a step on along the pull, or the last one before it with the

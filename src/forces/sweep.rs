@@ -1,6 +1,5 @@
 //! A node's place and slope as functions of the pull (eq. 6), by continuation.
 
-use crate::contact::Class;
 use crate::equilibrium::{Run, Settings, Start, Status};
 use crate::mechanics::{FreeArc, Model, Problem};
 use crate::units::millimetres;
@@ -110,14 +109,13 @@ impl Sweep {
                 });
             }
             let there = solution.nodes[node];
-            let pressing = solution.contacts.iter();
             points.push(SweepPoint {
                 pull,
                 x: there.position.x,
                 y: there.position.y,
                 angle: there.angle,
                 energy_slope: solution.energy_slope(),
-                pressing: pressing.filter(|c| c.class == Class::Pressing).count(),
+                pressing: solution.pressing().count(),
             });
         }
         Ok(Self { node, points })

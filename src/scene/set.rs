@@ -126,13 +126,13 @@ pub fn is_count(key: &str) -> bool {
 
 /// A step into a scene.
 #[derive(Clone, Copy)]
-enum Step<'a> {
+pub(super) enum Step<'a> {
     Key(&'a str),
     Index(usize),
 }
 
 /// The steps of a name such as `obstacle[0].center_mm[0]`.
-fn steps(name: &str) -> Result<Vec<Step<'_>>, SceneError> {
+pub(super) fn steps(name: &str) -> Result<Vec<Step<'_>>, SceneError> {
     let mut steps = Vec::new();
     for part in name.split('.') {
         let (key, indices) = part.split_at(part.find('[').unwrap_or(part.len()));

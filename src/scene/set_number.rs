@@ -2,6 +2,7 @@
 //! quicker, for who tries thousands of values.
 
 use super::limits::{DISKS, shown};
+use super::set::{Step, steps};
 use super::{Cable, Drive, Friction, Loads, Robot, Scene, SceneError, Shape};
 
 impl Scene {
@@ -20,14 +21,15 @@ impl Scene {
             }
             _ => {}
         }
-        if let Some(place) = count(self, key) {
+        let steps = steps(key)?;
+        if let Some(place) = count(self, &steps) {
             if value.to_bits() == f64::from(value as u32).to_bits() {
                 *place = value as u32;
                 return Ok(());
             }
             return self.set(key, &shown(value));
         }
-        match place(self, key) {
+        match place(self, &steps) {
             Some(place) => {
                 *place = value;
                 Ok(())
@@ -37,104 +39,60 @@ impl Scene {
     }
 }
 
-/// A key in parts: `obstacle[1].points_mm[0][1]` has the item 1 of a list and, in the
-/// field, the parts 0 and 1.
-struct Parts<'a> {
-    table: &'a str,
-    item: Option<usize>,
-    field: &'a str,
-    parts: [Option<usize>; 2],
-}
-
-fn parts(key: &str) -> Option<Parts<'_>> {
-    let (head, tail) = key.split_once('.')?;
-    let (table, [item, none]) = indexed(head)?;
-    let (field, parts) = indexed(tail)?;
-    none.is_none().then_some(Parts {
-        table,
-        item,
-        field,
-        parts,
-    })
-}
-
-/// A name and up to two indices after it.
-fn indexed(text: &str) -> Option<(&str, [Option<usize>; 2])> {
-    let (name, mut rest) = text.split_at(text.find('[').unwrap_or(text.len()));
-    let mut indices = [None; 2];
-    for index in &mut indices {
-        if rest.is_empty() {
-            break;
-        }
-        let (number, after) = rest.strip_prefix('[')?.split_once(']')?;
-        *index = Some(number.parse().ok()?);
-        rest = after;
-    }
-    rest.is_empty().then_some((name, indices))
-}
-
 /// Where a whole number lies, if it is there.
-fn count<'a>(scene: &'a mut Scene, key: &str) -> Option<&'a mut u32> {
-    match key {
-        "robot.segments" => Some(&mut scene.robot.segments),
-        "robot.segments_per_bay" => Some(&mut scene.robot.segments_per_bay),
-        _ => {
-            let Parts {
-                table: "cable",
-                item: Some(item),
-                field: "to_disk",
-                parts: [None, None],
-            } = parts(key)?
-            else {
-                return None;
-            };
-            scene.cables.get_mut(item)?.to_disk.as_mut()
+fn count<'a>(scene: &'a mut Scene, steps: &[Step<'_>]) -> Option<&'a mut u32> {
+    match steps {
+        [Step::Key("robot"), Step::Key("segments")] => Some(&mut scene.robot.segments),
+        [Step::Key("robot"), Step::Key("segments_per_bay")] => {
+            Some(&mut scene.robot.segments_per_bay)
         }
+        [Step::Key("cable"), Step::Index(item), Step::Key("to_disk")] => {
+            scene.cables.get_mut(*item)?.to_disk.as_mut()
+        }
+        _ => None,
     }
 }
 
 /// Where a number with digits after its point lies, if it is there.
-fn place<'a>(scene: &'a mut Scene, key: &str) -> Option<&'a mut f64> {
-    let Parts {
-        table,
-        item,
-        field,
-        parts,
-    } = parts(key)?;
-    match (table, item) {
-        ("robot", None) => of_robot(&mut scene.robot, field, parts),
-        ("actuation", None) => {
-            let actuation = scene.actuation.as_mut()?;
-            whole(of_drive(&mut actuation.drive, field)?, parts)
+fn place<'a>(scene: &'a mut Scene, steps: &[Step<'_>]) -> Option<&'a mut f64> {
+    match steps {
+        [Step::Key("robot"), Step::Key(field), parts @ ..] => {
+            of_robot(&mut scene.robot, field, parts)
         }
-        ("cable", Some(item)) => whole(of_cable(scene.cables.get_mut(item)?, field)?, parts),
-        ("friction", None) => whole(of_friction(&mut scene.friction, field)?, parts),
-        ("loads", None) => of_loads(&mut scene.loads, field, parts),
-        ("obstacle", Some(item)) => {
-            of_shape(&mut scene.obstacles.get_mut(item)?.shape, field, parts)
+        [Step::Key("actuation"), Step::Key(field)] => {
+            of_drive(&mut scene.actuation.as_mut()?.drive, field)
         }
+        [Step::Key("cable"), Step::Index(item), Step::Key(field)] => {
+            of_cable(scene.cables.get_mut(*item)?, field)
+        }
+        [Step::Key("friction"), Step::Key(field)] => of_friction(&mut scene.friction, field),
+        [Step::Key("loads"), Step::Key(field), parts @ ..] => {
+            of_loads(&mut scene.loads, field, parts)
+        }
+        [
+            Step::Key("obstacle"),
+            Step::Index(item),
+            Step::Key(field),
+            parts @ ..,
+        ] => of_shape(&mut scene.obstacles.get_mut(*item)?.shape, field, parts),
         _ => None,
     }
 }
 
 /// A number that has no parts.
-fn whole(number: &mut f64, parts: [Option<usize>; 2]) -> Option<&mut f64> {
-    (parts == [None; 2]).then_some(number)
+fn whole<'a>(number: &'a mut f64, parts: &[Step<'_>]) -> Option<&'a mut f64> {
+    parts.is_empty().then_some(number)
 }
 
 /// A part of a pair.
-fn half(pair: &mut [f64; 2], parts: [Option<usize>; 2]) -> Option<&mut f64> {
+fn half<'a>(pair: &'a mut [f64; 2], parts: &[Step<'_>]) -> Option<&'a mut f64> {
     match parts {
-        [Some(part), None] => pair.get_mut(part),
+        [Step::Index(part)] => pair.get_mut(*part),
         _ => None,
     }
 }
 
-fn of_robot<'a>(
-    robot: &'a mut Robot,
-    field: &str,
-    parts: [Option<usize>; 2],
-) -> Option<&'a mut f64> {
+fn of_robot<'a>(robot: &'a mut Robot, field: &str, parts: &[Step<'_>]) -> Option<&'a mut f64> {
     let number = match field {
         "base_mm" => return half(&mut robot.base_mm, parts),
         "length_mm" => &mut robot.length_mm,
@@ -185,11 +143,7 @@ fn of_friction<'a>(friction: &'a mut Friction, field: &str) -> Option<&'a mut f6
     }
 }
 
-fn of_loads<'a>(
-    loads: &'a mut Loads,
-    field: &str,
-    parts: [Option<usize>; 2],
-) -> Option<&'a mut f64> {
+fn of_loads<'a>(loads: &'a mut Loads, field: &str, parts: &[Step<'_>]) -> Option<&'a mut f64> {
     match field {
         "tip_force_n" => half(&mut loads.tip_force_n, parts),
         "gravity_m_s2" => half(&mut loads.gravity_m_s2, parts),
@@ -198,11 +152,7 @@ fn of_loads<'a>(
     }
 }
 
-fn of_shape<'a>(
-    shape: &'a mut Shape,
-    field: &str,
-    parts: [Option<usize>; 2],
-) -> Option<&'a mut f64> {
+fn of_shape<'a>(shape: &'a mut Shape, field: &str, parts: &[Step<'_>]) -> Option<&'a mut f64> {
     let number = match (shape, field) {
         (
             Shape::Disc { center_mm, .. }
@@ -213,10 +163,10 @@ fn of_shape<'a>(
         (Shape::Wall { point_mm, .. }, "point_mm") => return half(point_mm, parts),
         (Shape::Box { size_mm, .. }, "size_mm") => return half(size_mm, parts),
         (Shape::Polygon { points_mm, .. }, "points_mm") => {
-            let [Some(point), part] = parts else {
+            let [Step::Index(point), part @ ..] = parts else {
                 return None;
             };
-            return half(points_mm.get_mut(point)?, [part, None]);
+            return half(points_mm.get_mut(*point)?, part);
         }
         (Shape::Disc { radius_mm, .. } | Shape::Capsule { radius_mm, .. }, "radius_mm") => {
             radius_mm

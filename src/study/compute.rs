@@ -4,7 +4,6 @@
 use super::design::Study;
 use super::output::Output;
 use super::row::{Row, Verdict};
-use crate::contact::Class;
 use crate::equilibrium::{Occurrence, Run, Settings, Solution, Solved, Start, solve};
 use crate::experiments::{Measured, compare};
 use crate::forces::Stiffness;
@@ -114,12 +113,7 @@ impl Measure<'_> {
     fn number(&self, output: Output) -> Option<f64> {
         let solution = self.solution;
         let truth = |holds: bool| f64::from(u8::from(holds));
-        let forces = || {
-            let contacts = solution.contacts.iter();
-            contacts
-                .filter(|contact| contact.class == Class::Pressing)
-                .map(|contact| contact.multiplier)
-        };
+        let forces = || solution.pressing().map(|contact| contact.multiplier);
         let newtons = |multiplier: f64| self.per_bend.map(|per_bend| per_bend * multiplier);
         let load = |cable: &CableState| newtons(cable.load).map(grams);
         let first = || solution.cables.first();
@@ -152,7 +146,7 @@ impl Measure<'_> {
             }
             Output::Contacts => Some(forces().count() as f64),
             Output::ForceMax => newtons(forces().fold(0.0, greatest)),
-            Output::ForceTotal => newtons(forces().sum()),
+            Output::ForceTotal => newtons(solution.pressed()),
             Output::Tension => {
                 let tensions = solution.cables.iter().map(|cable| cable.tension);
                 tensions.reduce(greatest).and_then(newtons)

@@ -5,7 +5,7 @@
 use super::drawing::{Geometry, Label, LabelText, Mark, Role, Spot};
 use super::force_scale::ForceScale;
 use super::path::{Path, Piece};
-use crate::contact::{Class, Contact};
+use crate::contact::Contact;
 use crate::equilibrium::Solution;
 use crate::geometry::Vector;
 use crate::mechanics::Slip;
@@ -16,8 +16,7 @@ const LABELLED: f64 = 0.01;
 /// What presses where contacts rub.
 fn rubbing(solution: &Solution) -> impl Iterator<Item = &Contact> {
     let rubs = solution.drive.friction.contacts > 0.0;
-    let contacts = solution.contacts.iter();
-    contacts.filter(move |contact| rubs && contact.class == Class::Pressing)
+    solution.pressing().filter(move |_| rubs)
 }
 
 /// The cones: as long as their arrows, atan μ to either side of the normal.

@@ -54,12 +54,12 @@ pub fn show(ui: &mut Ui, bench: &mut Workbench) {
             gone = Some(pin.letter);
         }
     }
-    if let Some(live) = bench.as_pin() {
+    if let Some(live) = bench.compared() {
         for measure in Pin::MEASURES {
             let all = bench.pins.all().iter();
             let told: Vec<String> = all
                 .map(|pin| {
-                    pin.difference(&live, measure)
+                    pin.difference(live, measure)
                         .unwrap_or_else(|| "–".to_owned())
                 })
                 .collect();

@@ -105,12 +105,6 @@ impl PlotData<'_> {
         self.solved.problem()
     }
 
-    /// What hangs on the first cable, or would hold it, in rad²/m.
-    pub fn first_load(&self) -> f64 {
-        let first = self.solved.cables.first();
-        first.map_or_else(|| self.solved.energy_slope(), |cable| cable.load)
-    }
-
     /// The stiffness, where the scene has one.
     pub fn stiffness(&self) -> Option<Stiffness> {
         Stiffness::of_scene(self.scene).ok().flatten()

@@ -12,7 +12,6 @@ use super::pane::{
 use crate::app::look::{Tokens, icon, icons, theme_of};
 use crate::app::words;
 use crate::app::workbench::{Assumed, Hovered};
-use crate::contact::Class;
 use crate::explore::LoadPoint;
 use crate::mechanics::Model;
 use crate::scene::ForceReading;
@@ -42,10 +41,8 @@ fn by_multipliers(cache: &PlotCache, load_g: f64) -> Option<f64> {
 fn present(data: &PlotData<'_>, cache: &PlotCache) -> Option<PlotPoint> {
     let curve = cache.forces.curve.as_ref()?;
     let per_bend = data.stiffness()?.per_bend(data.problem());
-    let contacts = data.solved.contacts.iter();
-    let pressing = contacts.filter(|contact| contact.class == Class::Pressing);
-    let force = per_bend * pressing.map(|contact| contact.multiplier).sum::<f64>();
-    let load = per_bend * data.first_load() - curve.datum;
+    let force = per_bend * data.solved.pressed();
+    let load = per_bend * data.solved.load() - curve.datum;
     (curve.contact.is_some() && force > 0.0).then(|| PlotPoint::new(grams(load), grams(force)))
 }
 

@@ -4,7 +4,6 @@
 use crate::app::commands::Command;
 use crate::app::look::{Tokens, icon, icons};
 use crate::app::workbench::Workbench;
-use crate::contact::Class;
 use crate::mechanics::Model;
 use eframe::egui::{Align, Button, Layout, Pos2, Rect, RichText, Ui, UiBuilder, Vec2, vec2};
 
@@ -18,10 +17,8 @@ const ROOM: Vec2 = vec2(220.0, 24.0);
 /// something presses with a force that is understated.
 pub fn understated_over(ui: &mut Ui, bench: &mut Workbench, corner: Pos2) {
     let greyed = bench.live.drawing().standing.is_greyed();
-    let presses = bench.live.solution().is_some_and(|solution| {
-        let mut contacts = solution.contacts.iter();
-        contacts.any(|contact| contact.class == Class::Pressing)
-    });
+    let solution = bench.live.solution();
+    let presses = solution.is_some_and(|solution| solution.pressing().next().is_some());
     if greyed || !presses || !is_understated(bench) {
         return;
     }

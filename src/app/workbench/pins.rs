@@ -3,7 +3,6 @@
 
 use super::{Notice, Workbench};
 use crate::app::look::Tokens;
-use crate::contact::Class;
 use crate::equilibrium::Solved;
 use crate::explore::Path;
 use crate::units::{degrees, grams, millimetres};
@@ -30,8 +29,15 @@ pub struct Pins {
     pins: Vec<Pin>,
 }
 
-/// What is compared of two robots: its name with its unit, and its value.
-pub type Measure = (&'static str, fn(&Pin) -> Option<f64>, usize);
+/// A robot's shape, and what a multiplier of 1 rad²/m is of it, in newtons.
+#[derive(Clone, Copy)]
+pub struct Compared<'a> {
+    solved: &'a Solved,
+    newtons: Option<f64>,
+}
+
+/// What is compared of two robots: its name with its unit, its value and decimals.
+pub type Measure = (&'static str, fn(Compared<'_>) -> Option<f64>, usize);
 
 /// The letters that there are.
 const LETTERS: [char; 4] = ['A', 'B', 'C', 'D'];
@@ -61,31 +67,24 @@ impl Pins {
 impl Pin {
     /// What pinned robots are compared by: name, value and decimals.
     pub const MEASURES: [Measure; 6] = [
-        ("Pull, mm", |pin| Some(millimetres(pin.solved.pull)), 2),
-        (
-            "Load P, g",
-            |pin| pin.weight(pin.solved.cables.first()?.load),
-            1,
-        ),
+        ("Pull, mm", |one| Some(millimetres(one.solved.pull)), 2),
+        ("Load P, g", |one| one.weight(one.solved.load()), 1),
         (
             "Tip x, mm",
-            |pin| Some(millimetres(pin.solved.tip().position.x)),
+            |one| Some(millimetres(one.solved.tip().position.x)),
             2,
         ),
         (
             "Tip y, mm",
-            |pin| Some(millimetres(pin.solved.tip().position.y)),
+            |one| Some(millimetres(one.solved.tip().position.y)),
             2,
         ),
         (
             "Bend, °",
-            |pin| {
-                let bends = pin.solved.bends.iter().sum();
-                Some(degrees(bends))
-            },
+            |one| Some(degrees(one.solved.bends.iter().sum())),
             1,
         ),
-        ("Forces F, g", |pin| pin.weight(pin.pressed()), 1),
+        ("Forces F, g", |one| one.weight(one.solved.pressed()), 1),
     ];
 
     /// Its colour: one of those that tell robots beside the live one.
@@ -94,20 +93,14 @@ impl Pin {
         place.map_or(tokens.muted, |place| tokens.ghosts[place])
     }
 
-    fn weight(&self, multiplier: f64) -> Option<f64> {
-        Some(grams(self.newtons? * multiplier))
-    }
-
-    fn pressed(&self) -> f64 {
-        let pressing = self.solved.contacts.iter();
-        let pressing = pressing.filter(|contact| contact.class == Class::Pressing);
-        pressing.map(|contact| contact.multiplier).sum()
-    }
-
     /// What the live robot has more of than this one, as it is written; nothing where
     /// it is not known of both.
-    pub fn difference(&self, live: &Pin, (_, of, decimals): Measure) -> Option<String> {
-        let more = of(live)? - of(self)?;
+    pub fn difference(&self, live: Compared<'_>, (_, of, decimals): Measure) -> Option<String> {
+        let own = Compared {
+            solved: &self.solved,
+            newtons: self.newtons,
+        };
+        let more = of(live)? - of(own)?;
         let digits = Quantity::fixed(more, decimals, "").digits;
         let is_more = digits.starts_with(|first: char| first.is_ascii_digit());
         let is_nothing = digits.chars().all(|digit| matches!(digit, '0' | '.'));
@@ -118,27 +111,35 @@ impl Pin {
     }
 }
 
+impl Compared<'_> {
+    fn weight(&self, multiplier: f64) -> Option<f64> {
+        Some(grams(self.newtons? * multiplier))
+    }
+}
+
 impl Workbench {
-    /// The live robot as if it were pinned; `None` without a shape.
-    pub fn as_pin(&self) -> Option<Pin> {
+    /// The live robot, to be compared with pinned ones; `None` without a shape.
+    pub fn compared(&self) -> Option<Compared<'_>> {
         let solved = self.live.solution().filter(|it| !it.nodes.is_empty())?;
-        let current = self.live.path_is_current();
-        Some(Pin {
-            letter: ' ',
-            solved: solved.clone(),
-            path: self.live.path().filter(|_| current).cloned(),
-            newtons: self.document.newtons_per_multiplier(),
-        })
+        let newtons = self.document.newtons_per_multiplier();
+        Some(Compared { solved, newtons })
     }
 
     /// Pins the live robot under the first letter that is free.
     pub fn pin(&mut self) {
         let taken = |letter: &char| self.pins.pins.iter().any(|pin| pin.letter == *letter);
         let free = LETTERS.into_iter().find(|letter| !taken(letter));
-        let (Some(letter), Some(pin)) = (free, self.as_pin()) else {
+        let (Some(letter), Some(live)) = (free, self.compared()) else {
             return;
         };
-        self.pins.pins.push(Pin { letter, ..pin });
+        let current = self.live.path_is_current();
+        let pin = Pin {
+            letter,
+            solved: live.solved.clone(),
+            path: self.live.path().filter(|_| current).cloned(),
+            newtons: live.newtons,
+        };
+        self.pins.pins.push(pin);
         self.pins.pins.sort_by_key(|pin| pin.letter);
         let told = format!("Pinned as {letter}. Change the robot and compare.");
         self.notices.tell(Notice::information(told));
@@ -160,13 +161,12 @@ mod tests {
         bench.document.scene.set_pull_mm(5.05);
         bench.take_edits(&Context::default());
         bench.poll();
-        let live = bench.as_pin().unwrap();
-        let told = |bench: &Workbench, measure: usize| {
-            let pin = &bench.pins.all()[0];
-            pin.difference(&live, Pin::MEASURES[measure]).unwrap()
+        let told = |bench: &Workbench, pin: usize, measure: usize| {
+            let (pin, live) = (&bench.pins.all()[pin], bench.compared().unwrap());
+            pin.difference(live, Pin::MEASURES[measure]).unwrap()
         };
-        assert_eq!(told(&bench, 0), "−0.50");
-        let force = told(&bench, 5);
+        assert_eq!(told(&bench, 0, 0), "−0.50");
+        let force = told(&bench, 0, 5);
         assert!(force.starts_with('−') || force.starts_with('+'), "{force}");
         // The same is no more and no less.
         for _ in 0..4 {
@@ -174,8 +174,7 @@ mod tests {
         }
         assert_eq!(bench.pins.all().len(), 4);
         assert!(!bench.pins.have_room());
-        let same = bench.pins.all()[1].difference(&live, Pin::MEASURES[0]);
-        assert_eq!(same.unwrap(), "0.00");
+        assert_eq!(told(&bench, 1, 0), "0.00");
         // The first free letter comes next.
         bench.pins.remove('A');
         bench.pin();

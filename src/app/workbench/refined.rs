@@ -2,7 +2,6 @@
 //! from straight, with twice as many, where that is asked for.
 
 use super::Workbench;
-use crate::contact::Class;
 use crate::equilibrium::{Solution, Solved};
 use crate::forces::Stiffness;
 use crate::mechanics::Problem;
@@ -72,10 +71,7 @@ fn compared(live: &Solved, finer: &Solved, stiffness: Option<Stiffness>) -> Stri
         Quantity::fixed(millimetres(moved), 3, "mm").text()
     );
     let force = |solved: &Solved, stiffness: Stiffness| {
-        let pressing = solved.contacts.iter();
-        let pressing = pressing.filter(|contact| contact.class == Class::Pressing);
-        let sum: f64 = pressing.map(|contact| contact.multiplier).sum();
-        grams(stiffness.per_bend(solved.problem()) * sum)
+        grams(stiffness.per_bend(solved.problem()) * solved.pressed())
     };
     if let Some(stiffness) = stiffness {
         let [here, there] = [live, finer].map(|solved| force(solved, stiffness));

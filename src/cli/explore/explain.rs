@@ -1,11 +1,11 @@
 //! What a study would take, from a few of its samples.
 
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::ops::Range;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::super::output::{paragraph, printable, reader};
+use super::super::output::{paragraph, printable, write_out};
 use super::super::{Failure, Outcome};
 use super::count;
 use super::pool::duration;
@@ -35,9 +35,7 @@ pub(super) fn explain(
     folder: &Path,
 ) -> Result<Outcome, Failure> {
     let tried = try_some(study, todo);
-    let mut out = BufWriter::new(io::stdout().lock());
-    let written = text(&mut out, study, count(todo), &tried, on, folder);
-    reader(written.and_then(|()| out.flush()))?;
+    write_out(|out| text(out, study, count(todo), &tried, on, folder))?;
     Ok(Outcome::Done)
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::super::arguments::{Edits, Merge};
 use super::super::input::{BadInput, origin};
-use super::super::output::reader;
+use super::super::output::{reader, write_out};
 use super::super::{Failure, Outcome};
 use super::folder::{Folder, Log, STUDY, done};
 use super::{count, report, study, table};
@@ -56,14 +56,11 @@ pub(in super::super) fn run(what: &Merge) -> Result<Outcome, Failure> {
         None => Folder::new(first, &study).csv(),
     };
     let summary = table::write(&study, &logs, &path)?;
-    let mut out = BufWriter::new(io::stdout().lock());
-    let mut tell = || -> io::Result<()> {
+    write_out(|out| {
         writeln!(out, "{}\n", report::title(&study))?;
-        report::summary(&mut out, &study, &summary)?;
-        writeln!(out, "\n  {}", origin(&path))?;
-        out.flush()
-    };
-    reader(tell())?;
+        report::summary(out, &study, &summary)?;
+        writeln!(out, "\n  {}", origin(&path))
+    })?;
     Ok(Outcome::Done)
 }
 

@@ -8,7 +8,7 @@ mod pool;
 mod report;
 mod table;
 
-use std::io::{self, BufWriter, Write};
+use std::io::Write;
 use std::num::NonZero;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ use std::thread;
 
 use super::arguments::{Edits, Explore};
 use super::input::{self, BadInput};
-use super::output::reader;
+use super::output::write_out;
 use super::progress::Progress;
 use super::{Failure, Outcome, tell};
 use crate::study::{Output, Ranges, Study, StudyFile, shard};
@@ -85,9 +85,7 @@ pub(super) fn run(what: &Explore) -> Result<Outcome, Failure> {
         None => Some(table::write(&study, &folder.logs()?, &folder.csv())?),
         Some(_) => None,
     };
-    let mut out = BufWriter::new(io::stdout().lock());
-    let written = told.end(&mut out, &folder, summary.as_ref(), seconds);
-    reader(written.and_then(|()| out.flush()))?;
+    write_out(|out| told.end(out, &folder, summary.as_ref(), seconds))?;
     Ok(Outcome::Done)
 }
 
@@ -171,13 +169,13 @@ fn part(text: Option<&str>) -> Result<Option<(u64, u64)>, BadInput> {
 const MOST_PARTS: u64 = 100_000;
 
 fn list_outputs() -> Result<Outcome, Failure> {
-    let mut out = BufWriter::new(io::stdout().lock());
     let width = Output::all().map(|one| one.name().len()).max().unwrap_or(0);
-    let written = Output::all().try_for_each(|one| {
-        let (name, unit) = (one.name(), one.unit());
-        writeln!(out, "{name:<width$}  {unit:<4}  {}", one.meaning())
-    });
-    reader(written.and_then(|()| out.flush()))?;
+    write_out(|out| {
+        Output::all().try_for_each(|one| {
+            let (name, unit) = (one.name(), one.unit());
+            writeln!(out, "{name:<width$}  {unit:<4}  {}", one.meaning())
+        })
+    })?;
     Ok(Outcome::Done)
 }
 

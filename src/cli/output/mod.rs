@@ -5,7 +5,7 @@ mod csv;
 mod json;
 mod text;
 
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, BufWriter, ErrorKind, StdoutLock, Write};
 
 use super::arguments::Format;
 use crate::equilibrium::Caution;
@@ -134,6 +134,16 @@ pub(super) fn reader(written: io::Result<()>) -> io::Result<Reader> {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(Reader::Gone),
         Err(error) => Err(error),
     }
+}
+
+/// Writes to standard output. Whoever stopped reading still gets the exit code.
+pub(super) fn write_out(
+    write: impl FnOnce(&mut BufWriter<StdoutLock<'static>>) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut out = BufWriter::new(io::stdout().lock());
+    let written = write(&mut out);
+    reader(written.and_then(|()| out.flush()))?;
+    Ok(())
 }
 
 /// Text in lines of a readable length.

@@ -8,7 +8,6 @@ use crate::app::look::{Tokens, colour, icon, icon_font, icons, theme_of};
 use crate::app::widgets::row::{self, Emphasis};
 use crate::app::words;
 use crate::app::workbench::{Hovered, Selection, Workbench};
-use crate::contact::Class;
 use crate::scene::Scene;
 use eframe::egui::{
     self, Align, Align2, Button, EventFilter, Id, Key, Layout, Modifiers, Rect, Response, RichText,
@@ -347,10 +346,8 @@ fn shares(bench: &Workbench) -> Vec<Option<f64>> {
     let Some(solution) = bench.live.solution() else {
         return shares;
     };
-    let pressing = solution.contacts.iter();
-    let pressing = pressing.filter(|it| it.class == Class::Pressing);
     let scale = bench.live.drawing().scale;
-    for contact in pressing {
+    for contact in solution.pressing() {
         if let Some(share) = shares.get_mut(contact.obstacle) {
             let this = scale.of(contact);
             *share = Some(share.map_or(this, |other: f64| other.max(this)));

@@ -156,12 +156,15 @@ impl<const NU: usize> Sliding<NU> {
         let nodes: Vec<PlanarNode> = point.nodes.each().copied().collect();
         let sums = &multipliers[point.rows.len()..];
         let (look, unit) = (self.look(&nodes), self.cost_unit());
+        let (mut tensions, mut drawn) = (Vec::new(), Vec::new());
         cables.extend((0..self.friction.frozen.len()).map(|cable| {
             let Below {
                 tension,
                 drawn,
                 load,
-            } = self.friction.below(cable, look, sums);
+            } = self
+                .friction
+                .below(cable, look, sums, &mut tensions, &mut drawn);
             CableState {
                 pull: drawn,
                 tension: unit * tension,

@@ -194,28 +194,31 @@ impl Friction {
         strands.resize_with(self.frozen.len(), Strand::default);
         let mut drawn = Vec::new();
         for (cable, strand) in strands.iter_mut().enumerate() {
-            let frozen = &self.frozen[cable];
-            self.tensions(cable, sums, &mut strand.tensions);
-            look.measure(cable, &strand.tensions, &mut drawn);
-            strand.before.clone_from(&frozen.drawn);
-            let moved = drawn.iter().zip(&frozen.drawn);
+            let below = self.below(cable, look, sums, &mut strand.tensions, &mut drawn);
+            strand.load = look.unit * below.load;
+            strand.before.clone_from(&self.frozen[cable].drawn);
+            let moved = drawn.iter().zip(&strand.before);
             strand.slips.clear();
-            strand
-                .slips
-                .extend(moved.map(|(now, then)| Slip::of(now - then)));
-            let (tension, slip) = (strand.tensions[0], strand.slips[0]);
-            strand.load = look.unit * self.load_below(cable, tension, slip, look);
+            let slips = moved.map(|(now, then)| Slip::of(now - then));
+            strand.slips.extend(slips);
             for tension in &mut strand.tensions {
                 *tension *= look.unit;
             }
         }
     }
 
-    /// What is found of a cable below its first disk.
-    pub(super) fn below(&self, cable: usize, look: Look<'_>, sums: &[f64]) -> Below {
-        let (mut tensions, mut drawn) = (Vec::new(), Vec::new());
-        self.tensions(cable, sums, &mut tensions);
-        look.measure(cable, &tensions, &mut drawn);
+    /// What is found of a cable below its first disk. Leaves the tensions of its
+    /// stretches, and how much shorter it is beyond each hole.
+    pub(super) fn below(
+        &self,
+        cable: usize,
+        look: Look<'_>,
+        sums: &[f64],
+        tensions: &mut Vec<f64>,
+        drawn: &mut Vec<f64>,
+    ) -> Below {
+        self.tensions(cable, sums, tensions);
+        look.measure(cable, tensions, drawn);
         let slip = Slip::of(drawn[0] - self.frozen[cable].drawn[0]);
         Below {
             tension: tensions[0],
